@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <variant>
+#include <vector>
+
+#include "planner/base/result.hpp"
+#include "planner/base/vec.hpp"
+
+namespace swallowtail::planner {
+
+struct Sphere { double radius_m = 0.0; };
+/// Axis up, `position` at the centre of the base.
+struct Cylinder { double radius_m = 0.0; double height_m = 0.0; };
+/// Axis up, `position` at the centre of the base, apex above it.
+struct Cone { double radius_m = 0.0; double height_m = 0.0; };
+/// Full edge lengths, `position` at the centre, turned by yaw_rad about up.
+struct Box { Vec3 size_m = Vec3::Zero(); double yaw_rad = 0.0; };
+/// Convex hull of the vertices, relative to `position`, turned by yaw_rad about up.
+struct ConvexMesh { std::vector<Vec3> vertices_m; double yaw_rad = 0.0; };
+
+using Shape = std::variant<Sphere, Cylinder, Cone, Box, ConvexMesh>;
+
+/// A solid that may move in a straight line: at mission time t it stands at position + velocity·(t − state_time_s), from state_time_s back and on, until valid_until_s.
+struct Obstacle {
+  std::uint32_t id = 0;
+  Shape shape;
+  Vec3 position_m = Vec3::Zero();
+  Vec3 velocity_mps = Vec3::Zero();
+  double state_time_s = 0.0;
+  double valid_until_s = std::numeric_limits<double>::infinity();
+  double margin_m = 0.0;  ///< kept besides the vehicle's own margin
+
+  Vec3 position_at(double time_s) const { return position_m + velocity_mps * (time_s - state_time_s); }
+  bool moves() const { return velocity_mps != Vec3::Zero(); }
+};
+
+/// Errors name the obstacle, the value and the rule: sizes positive and finite, at least 4 vertices not in one plane, speed ≤ 200 m/s.
+Status validate(const Obstacle& obstacle);
+
+/// Radius of the smallest sphere around `position` that holds the shape, and its axis-aligned half extents seen from there.
+double bounding_radius_m(const Shape& shape);
+
+}  // namespace swallowtail::planner
