@@ -1,0 +1,76 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "idl/data/types.hpp"
+
+/// The independent checker of flown missions. It shares no geometry, interpolation or certification code with
+/// what it judges: everything it needs stands in this folder.
+namespace swallowtail::check {
+
+struct P2 {
+  double x = 0.0;
+  double y = 0.0;
+};
+
+struct P3 {
+  double x = 0.0;
+  double y = 0.0;
+  double z = 0.0;
+};
+
+/// A solid between two mission times, moving in a straight line from `at` since `since_s`.
+struct Solid {
+  std::uint32_t id = 0;
+  data::ObstacleShape shape = data::ObstacleShape::kSphere;
+  P3 at;
+  P3 velocity_mps;
+  double since_s = 0.0;  ///< when it stands at `at`
+  double appears_s = 0.0;
+  double vanishes_s = std::numeric_limits<double>::infinity();
+  double radius_m = 0.0;
+  double height_m = 0.0;
+  P3 size_m;
+  double yaw_rad = 0.0;
+  double margin_m = 0.0;
+  std::vector<P3> vertices;
+};
+
+/// Ground samples, row by row going north; one sample means a plane.
+struct Ground {
+  double west_m = 0.0;
+  double south_m = 0.0;
+  double cell_m = 1.0;
+  std::size_t rows = 1;
+  std::size_t cols = 1;
+  std::vector<float> z_m = {0.0F};
+
+  double at(double x, double y) const;
+};
+
+struct FieldArea {
+  std::string id;
+  double height_m = 0.0;               ///< required, above ground
+  std::vector<std::vector<P2>> rings;  ///< outline, then holes
+};
+
+/// What a mission must keep to, taken from its scenario.
+struct Rules {
+  data::VehicleLimits vehicle;
+  P3 bounds_min{-1e6, -1e6, -1e3};
+  P3 bounds_max{1e6, 1e6, 2e4};
+  std::vector<Solid> solids;
+  Ground ground;
+  bool has_coverage = false;
+  std::vector<FieldArea> fields;
+  double sensor_width_m = 0.0;
+  double height_tolerance_m = 0.0;
+  double battery_capacity = 0.0;
+  double battery_reserve = 0.0;
+  double charger_speed_mps = 0.0;
+};
+
+}  // namespace swallowtail::check

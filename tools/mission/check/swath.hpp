@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "tools/mission/check/rules.hpp"
+
+namespace swallowtail::check {
+
+/// Counts what share of the fields the sensor swept, on a raster of cell centres.
+class Swath {
+ public:
+  /// Cells of `cell_m`, or larger where the fields would need more than four million.
+  Swath(const std::vector<FieldArea>& fields, double cell_m);
+
+  /// The swath, `width_m` wide, of a straight piece of flight in field `field` (index): cells of that field
+  /// whose centre lies in the rectangle around a–b.
+  void sweep(const P2& a, const P2& b, double width_m, std::size_t field);
+
+  /// Index of the field that holds the point, or −1.
+  int field_at(const P2& p) const;
+
+  double covered_percent() const;
+
+ private:
+  std::vector<std::int16_t> owner_;  ///< field index of each cell, −1 outside
+  std::vector<bool> swept_;
+  P2 origin_;
+  double cell_m_ = 1.0;
+  std::size_t rows_ = 0;
+  std::size_t cols_ = 0;
+};
+
+/// Even-odd rule over all rings of the field.
+bool holds(const FieldArea& field, const P2& p);
+
+}  // namespace swallowtail::check
