@@ -1,0 +1,245 @@
+#include "charger/charging/charging.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+
+#include "planner/base/checks.hpp"
+
+namespace swallowtail::charger {
+namespace {
+
+constexpr double kDockingHeight_m = 2.0;
+/// So much more must be asked of a vehicle that is ready before charging starts again.
+constexpr double kRecharge = 1.0;
+/// The last bit is charged over so many steps, so that a late reaction of the vehicle's side does not overshoot.
+constexpr double kTaperSteps = 2.0;
+constexpr std::size_t kMaxDeliveries = 1024;
+
+bool is_near(const Vec3& a, const Vec3& b) {
+  return (a.head<2>() - b.head<2>()).norm() <= kDocking_m && std::abs(a.z() - b.z()) <= kDockingHeight_m;
+}
+
+bool is_on_ground(const Inputs& inputs) {
+  return inputs.vehicle && inputs.vehicle->activity == VehicleActivity::kOnGround;
+}
+
+bool is_flying(const Inputs& inputs) {
+  return inputs.vehicle && inputs.vehicle->activity == VehicleActivity::kFlying;
+}
+
+Status refuse(const Orders& orders, const std::string& rule) {
+  return bad_input("Charger orders of revision " + std::to_string(orders.revision) + ": " + rule + ".");
+}
+
+}  // namespace
+
+Status validate(const Orders& orders) {
+  if (!is_positive(orders.speed_mps)) return refuse(orders, "speed_mps must be positive");
+  if (!is_positive(orders.charge_s_per_unit)) return refuse(orders, "charge_s_per_unit must be positive");
+  if (!is_non_negative(orders.landing_s)) return refuse(orders, "landing_s must not be negative");
+  if (!is_non_negative(orders.take_off_s)) return refuse(orders, "take_off_s must not be negative");
+  if (!is_finite(orders.start_m)) return refuse(orders, "the start must be finite");
+  for (const Meeting& meeting : orders.meetings) {
+    if (!is_finite(meeting.site_m) || (meeting.carry_to_m && !is_finite(*meeting.carry_to_m))) {
+      return refuse(orders, "the sites of meeting " + std::to_string(meeting.id) + " must be finite");
+    }
+    if (!is_non_negative(meeting.charge_to)) {
+      return refuse(orders, "charge_to of meeting " + std::to_string(meeting.id) + " must not be negative");
+    }
+  }
+  return {};
+}
+
+Result<Charging> Charging::make(Orders orders, std::vector<Delay> delays, double time_s) {
+  if (Status status = validate(orders); !status) return status.error();
+  return Charging(std::move(orders), std::move(delays), time_s);
+}
+
+Charging::Charging(Orders orders, std::vector<Delay> delays, double time_s)
+    : orders_(std::move(orders)), delays_(std::move(delays)), drive_(orders_.start_m) {
+  state_.time_s = time_s;
+  state_.position_m = orders_.start_m;
+  state_.orders_revision = orders_.revision;
+}
+
+Status Charging::set_orders(Orders orders) {
+  if (Status status = validate(orders); !status) return status;
+  orders_ = std::move(orders);
+  return {};
+}
+
+const State& Charging::step(double time_s, const Inputs& inputs) {
+  const double duration_s = time_s - state_.time_s;
+  if (!(duration_s >= 0.0)) return state_;
+  state_.time_s = time_s;
+  account_for_delivery(inputs, duration_s);
+  vehicle_has_flown_ = vehicle_has_flown_ || is_flying(inputs) || (inputs.vehicle && inputs.vehicle->legs_done > 0);
+
+  if (service_ == Service::kNone && inputs.vehicle && inputs.vehicle->docked_here) adopt_vehicle(inputs);
+  if (service_ != Service::kNone && is_flying(inputs)) finish();
+  if (service_ == Service::kNone) {
+    approach(inputs, duration_s);
+  } else {
+    follow_changed_meeting(inputs);
+    serve(inputs, duration_s);
+  }
+
+  state_.position_m = drive_.position_m();
+  state_.speed_mps = drive_.speed_mps();
+  state_.has_vehicle = service_ != Service::kNone;
+  state_.orders_revision = orders_.revision;
+  return state_;
+}
+
+void Charging::account_for_delivery(const Inputs& inputs, double duration_s) {
+  state_.energy_delivered += state_.charge_rate * duration_s;
+  deliveries_.push_back({state_.time_s, state_.energy_delivered});
+  const double known_s = inputs.battery ? inputs.battery->time_s : -std::numeric_limits<double>::infinity();
+  while (deliveries_.size() > kMaxDeliveries || (deliveries_.size() > 1 && deliveries_[1].time_s <= known_s)) {
+    deliveries_.pop_front();
+  }
+}
+
+double Charging::missing_energy(const Inputs& inputs) const {
+  if (!inputs.battery) return std::numeric_limits<double>::quiet_NaN();
+  const BatteryView& battery = *inputs.battery;
+  double delivered_before = deliveries_.front().energy;
+  if (deliveries_.size() > 1 && battery.time_s > deliveries_[0].time_s) {
+    const Delivery& from = deliveries_[0];
+    const Delivery& to = deliveries_[1];
+    const double share = std::min(1.0, (battery.time_s - from.time_s) / (to.time_s - from.time_s));
+    delivered_before += share * (to.energy - from.energy);
+  }
+  const double estimate = battery.energy + state_.energy_delivered - delivered_before;
+  return std::min(current_.charge_to, battery.capacity) - estimate;
+}
+
+bool Charging::is_behind(const Meeting& meeting, const Inputs& inputs) const {
+  if (inputs.vehicle && inputs.vehicle->legs_done > 0 && meeting.id < 2 * (inputs.vehicle->legs_done - 1)) return true;
+  if (!last_done_) return false;
+  if (meeting.id != last_done_->id) return meeting.id < last_done_->id;
+  return orders_.revision == last_done_revision_ || is_near(meeting.site_m, last_done_->site_m);
+}
+
+bool Charging::waits_for_us(const Meeting& meeting, const Inputs& inputs) const {
+  return is_on_ground(inputs) && vehicle_has_flown_ && is_near(meeting.site_m, inputs.vehicle->position_m);
+}
+
+const Meeting* Charging::next_meeting(const Inputs& inputs) const {
+  const Meeting* next = nullptr;
+  for (const Meeting& meeting : orders_.meetings) {
+    const bool behind = is_behind(meeting, inputs);
+    // A vehicle that came back to a place it had left is served again once newer orders say so.
+    if (waits_for_us(meeting, inputs) && (!behind || orders_.revision != last_done_revision_)) return &meeting;
+    if (next == nullptr && !behind) next = &meeting;
+  }
+  return next;
+}
+
+bool Charging::is_delayed() const {
+  return std::any_of(delays_.begin(), delays_.end(), [this](const Delay& delay) {
+    return state_.time_s >= delay.at_s && state_.time_s < delay.at_s + delay.duration_s;
+  });
+}
+
+void Charging::drive(const Vec3& target_m, double duration_s, Activity activity) {
+  if (is_delayed()) {
+    drive_.stop();
+    state_.activity = Activity::kDelayed;
+    return;
+  }
+  drive_.advance(target_m, orders_.speed_mps, duration_s);
+  state_.activity = activity;
+}
+
+void Charging::approach(const Inputs& inputs, double duration_s) {
+  state_.charge_rate = 0.0;
+  const Meeting* next = next_meeting(inputs);
+  if (next == nullptr) {
+    drive_.stop();
+    state_.activity = Activity::kIdle;
+    return;
+  }
+  state_.meeting_id = next->id;
+  if (!drive_.stands_at(next->site_m)) {
+    drive(next->site_m, duration_s, Activity::kDriving);
+    return;
+  }
+  drive_.stop();
+  state_.activity = Activity::kWaiting;
+  if (waits_for_us(*next, inputs)) take_on_board(*next);
+}
+
+void Charging::take_on_board(const Meeting& meeting) {
+  current_ = meeting;
+  service_ = Service::kLanding;
+  handling_until_s_ = state_.time_s + orders_.landing_s;
+  state_.meeting_id = meeting.id;
+  state_.activity = Activity::kCharging;
+}
+
+void Charging::adopt_vehicle(const Inputs& inputs) {
+  drive_ = Drive(inputs.vehicle->position_m);
+  const Meeting* next = next_meeting(inputs);
+  const bool ours = next != nullptr && (next->carry_to_m || is_near(next->site_m, inputs.vehicle->position_m));
+  current_ = Meeting();
+  if (ours) current_ = *next;
+  state_.meeting_id = current_.id;
+  service_ = Service::kServing;
+}
+
+void Charging::follow_changed_meeting(const Inputs& inputs) {
+  if (orders_.revision == state_.orders_revision) return;
+  const auto same = std::find_if(orders_.meetings.begin(), orders_.meetings.end(),
+                                 [this](const Meeting& meeting) { return meeting.id == current_.id; });
+  if (same == orders_.meetings.end()) return;
+  current_.charge_to = same->charge_to;
+  current_.carry_to_m = same->carry_to_m;
+  if (service_ != Service::kTakeOff && service_ != Service::kReady) return;
+  const bool must_drive = current_.carry_to_m && !drive_.stands_at(*current_.carry_to_m);
+  if (must_drive || missing_energy(inputs) > kRecharge) service_ = Service::kServing;
+}
+
+void Charging::charge(const Inputs& inputs, double duration_s) {
+  const double missing = missing_energy(inputs);
+  state_.charge_rate = 0.0;
+  if (!(missing > kChargeTolerance)) return;
+  const double taper_s = kTaperSteps * duration_s;
+  const double greatest = 1.0 / orders_.charge_s_per_unit;
+  state_.charge_rate = missing < greatest * taper_s ? missing / taper_s : greatest;
+}
+
+void Charging::serve(const Inputs& inputs, double duration_s) {
+  drive_.stop();
+  if (service_ == Service::kLanding && state_.time_s >= handling_until_s_) service_ = Service::kServing;
+  if (service_ == Service::kServing) {
+    const bool arrived = !current_.carry_to_m || drive_.stands_at(*current_.carry_to_m);
+    charge(inputs, duration_s);
+    if (!arrived) {
+      drive(*current_.carry_to_m, duration_s, Activity::kCarrying);
+      return;
+    }
+    state_.activity = Activity::kCharging;
+    if (missing_energy(inputs) <= kChargeTolerance) {
+      service_ = Service::kTakeOff;
+      handling_until_s_ = state_.time_s + orders_.take_off_s;
+    }
+  }
+  if (service_ == Service::kTakeOff && state_.time_s >= handling_until_s_) {
+    service_ = Service::kReady;
+    state_.activity = Activity::kReady;
+  }
+}
+
+void Charging::finish() {
+  service_ = Service::kNone;
+  state_.charge_rate = 0.0;
+  ++state_.meetings_done;
+  last_done_ = current_;
+  last_done_revision_ = orders_.revision;
+}
+
+}  // namespace swallowtail::charger

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "planner/base/result.hpp"
+#include "planner/base/vec.hpp"
+
+namespace swallowtail::charger {
+
+/// How near to a site the robot counts as standing on it.
+inline constexpr double kArrival_m = 0.05;
+
+/// The ground robot's motion: straight over the ground at no more than its speed, stopping and turning at will. Distances are level ones; its height follows the straight line to the target.
+class Drive {
+ public:
+  explicit Drive(const Vec3& start_m) : position_m_(start_m) {}
+
+  /// Moves towards `target_m` for `duration_s` at up to `speed_mps` and stands exactly on it once reached. Negative or non-finite arguments move nothing.
+  void advance(const Vec3& target_m, double speed_mps, double duration_s);
+  void stop() { speed_mps_ = 0.0; }
+
+  const Vec3& position_m() const { return position_m_; }
+  /// Mean speed over the last `advance`; 0 after `stop`.
+  double speed_mps() const { return speed_mps_; }
+  double distance_to_m(const Vec3& target_m) const;
+  bool stands_at(const Vec3& target_m) const { return distance_to_m(target_m) <= kArrival_m; }
+
+ private:
+  Vec3 position_m_;
+  double speed_mps_ = 0.0;
+};
+
+}  // namespace swallowtail::charger

@@ -1,0 +1,74 @@
+#include "charger/participant/convert.hpp"
+
+namespace swallowtail::charger {
+namespace {
+
+Vec3 to_vec(const data::Vec3& v) { return {v.x_m, v.y_m, v.z_m}; }
+data::Vec3 to_data(const Vec3& v) { return {.x_m = v.x(), .y_m = v.y(), .z_m = v.z()}; }
+
+data::ChargerActivity to_data(Activity activity) {
+  switch (activity) {
+    case Activity::kIdle: return data::ChargerActivity::kIdle;
+    case Activity::kDriving: return data::ChargerActivity::kDriving;
+    case Activity::kWaiting: return data::ChargerActivity::kWaiting;
+    case Activity::kCharging: return data::ChargerActivity::kCharging;
+    case Activity::kCarrying: return data::ChargerActivity::kCarrying;
+    case Activity::kReady: return data::ChargerActivity::kReady;
+    case Activity::kDelayed: return data::ChargerActivity::kDelayed;
+  }
+  return data::ChargerActivity::kIdle;
+}
+
+}  // namespace
+
+Orders to_orders(const data::ChargerPlan& plan) {
+  Orders orders;
+  orders.revision = plan.revision;
+  orders.speed_mps = plan.speed_mps;
+  orders.charge_s_per_unit = plan.charge_s_per_unit;
+  orders.landing_s = plan.landing_s;
+  orders.take_off_s = plan.take_off_s;
+  orders.start_m = to_vec(plan.start);
+  orders.meetings.reserve(plan.rendezvous.size());
+  for (const data::Rendezvous& rendezvous : plan.rendezvous) {
+    Meeting meeting;
+    meeting.id = rendezvous.rendezvous_id;
+    meeting.site_m = to_vec(rendezvous.site);
+    meeting.charge_to = rendezvous.charge_to;
+    if (rendezvous.carry) meeting.carry_to_m = to_vec(rendezvous.carry_to);
+    orders.meetings.push_back(meeting);
+  }
+  return orders;
+}
+
+VehicleView to_view(const data::VehicleState& state, std::uint32_t charger_id) {
+  const bool on_ground = state.mode == data::VehicleMode::kLanded || state.mode == data::VehicleMode::kDocked;
+  VehicleView view;
+  view.position_m = to_vec(state.position);
+  view.activity = on_ground ? VehicleActivity::kOnGround : VehicleActivity::kFlying;
+  view.docked_here = state.mode == data::VehicleMode::kDocked && state.docked_charger_id == charger_id;
+  view.legs_done = state.legs_done;
+  return view;
+}
+
+BatteryView to_view(const data::BatteryState& state) {
+  return {.time_s = state.time_s, .energy = state.energy, .capacity = state.capacity};
+}
+
+data::ChargerState to_data(const State& state, std::uint32_t charger_id, std::uint32_t vehicle_id) {
+  data::ChargerState sample;
+  sample.charger_id = charger_id;
+  sample.time_s = state.time_s;
+  sample.position = to_data(state.position_m);
+  sample.speed_mps = state.speed_mps;
+  sample.docked_vehicle_id = state.has_vehicle ? vehicle_id : 0;
+  sample.charge_rate = state.charge_rate;
+  sample.energy_delivered = state.energy_delivered;
+  sample.activity = to_data(state.activity);
+  sample.rendezvous_id = state.meeting_id;
+  sample.rendezvous_done = state.meetings_done;
+  sample.plan_revision = state.orders_revision;
+  return sample;
+}
+
+}  // namespace swallowtail::charger
