@@ -35,6 +35,8 @@ const std::map<std::string, std::set<std::string>> kMayInclude = {
     {"coverage/maintain",
      {"planner/base", "planner/world", "planner/path", "coverage/field", "coverage/energy", "coverage/gtsp",
       "coverage/schedule"}},
+    {"coverage/task",
+     {"planner/base", "planner/world", "planner/path", "planner/scenario", "coverage/field"}},
     {"coverage/participant",
      {"planner/base", "planner/world", "planner/path", "coverage/field", "coverage/energy", "coverage/gtsp",
       "coverage/schedule", "coverage/maintain", "idl", "qos"}},

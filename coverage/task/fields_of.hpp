@@ -1,0 +1,22 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "coverage/field/sub_cells.hpp"
+#include "planner/base/result.hpp"
+#include "planner/scenario/scenario.hpp"
+
+namespace swallowtail::coverage {
+
+struct ScenarioFields {
+  std::vector<Field> fields;  ///< chosen, in the scenario's local frame, moved to place_at_m
+  std::optional<planner::GeoOrigin>
+      origin;  ///< of that frame: the scenario's, else the file's own; none when the file is in local metres
+};
+
+/// The fields a scenario's coverage asks for. Errors: no coverage section, as read_fields, a field id that
+/// the file does not have.
+Result<ScenarioFields> fields_of(const planner::Scenario& scenario);
+
+}  // namespace swallowtail::coverage
