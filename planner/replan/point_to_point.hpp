@@ -1,0 +1,75 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "planner/base/clock.hpp"
+#include "planner/base/result.hpp"
+#include "planner/base/stop.hpp"
+#include "planner/path/certifier.hpp"
+#include "planner/path/path.hpp"
+#include "planner/world/world.hpp"
+
+namespace swallowtail::planner {
+
+enum class PlanStatus : std::uint8_t {
+  kCertified,
+  kNoneFound,
+  kStartBlocked,
+  kGoalBlocked,
+  kOutOfBounds,
+  kInterrupted,  ///< before anything certified was found
+};
+/// "certified", "none_found", "start_blocked", "goal_blocked", "out_of_bounds", "interrupted"
+const char* name(PlanStatus status);
+
+struct PlanParams {
+  std::string algorithm = "boa";  ///< a name of swarm/registry.hpp
+  int waypoints = 6;              ///< most midpoints between start and goal, 1 to 64
+  int population = 24;
+};
+Status validate(const PlanParams& params);
+
+struct PlanRequest {
+  Vec3 start_m = Vec3::Zero();
+  Vec3 goal_m = Vec3::Zero();
+  double start_time_s = 0.0;  ///< mission time; matters where obstacles move
+  VehicleLimits limits;
+  PlanParams params;
+  std::uint64_t seed = 1;
+};
+
+/// One point of the convergence curve of certified paths.
+struct PlanProgress {
+  std::uint64_t evaluations = 0;
+  double wall_ms = 0.0;
+  double best_length_m = 0.0;
+};
+
+struct PlanReport {
+  PlanStatus status = PlanStatus::kNoneFound;
+  std::string reason;           ///< a sentence for people, by which obstacle it is blocked for instance
+  TimedPath path;               ///< certified; empty unless the status is kCertified
+  Certificate certificate;      ///< of `path`; else of the straight line
+  double length_m = 0.0;
+  double duration_s = 0.0;
+  double cost = 0.0;            ///< the optimiser's: length ÷ straight line, and penalties
+  std::uint64_t evaluations = 0;
+  double wall_ms = 0.0;         ///< 0 without a clock
+  double first_certified_ms = 0.0;
+  std::vector<PlanProgress> history;  ///< each improvement of the certified path
+};
+
+/// Plans from one point to another: the straight line if it is clear; else the named algorithm chooses corridors in rounds of different boxes and seeds, a local
+/// descent shortens what it finds, and the certifier decides. Anytime: goes on until `stop` or until rounds no longer improve. Without a limit in `stop` it uses
+/// kDefaultEvaluations. `observer` is called on each improvement (may be empty). Times come from `clock` (may be null: all wall times 0).
+/// Errors: limits, parameters or points that do not validate. A path that is not certified is never returned.
+Result<PlanReport> plan_path(std::shared_ptr<const World> world, const PlanRequest& request, const StopCondition& stop, const Clock* clock = nullptr,
+                             const std::function<void(const PlanProgress&)>& observer = {});
+
+inline constexpr std::uint64_t kDefaultEvaluations = 50'000;
+
+}  // namespace swallowtail::planner
