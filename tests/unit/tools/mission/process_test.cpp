@@ -57,6 +57,10 @@ TEST(Process, DestructorLeavesNoChild) {
 TEST(Process, SaysWhenAProgramIsNotThere) {
   auto process = Process::start("ghost", {"/nonexistent/program"});
   ASSERT_TRUE(process.ok());
+  for (int i = 0; i < 200 && !process->poll(); ++i) {
+    pollfd closed{process->out_fd(), POLLIN, 0};
+    ::poll(&closed, 1, 50);
+  }
   EXPECT_EQ(process->stop(5.0), 127);
   EXPECT_NE(process->last_errors().find("cannot be started"), std::string::npos);
 }
