@@ -1,0 +1,16 @@
+# find_package(swallowtail) after an install: the algorithms as libraries, without any DDS.
+include(CMakePackageConfigHelpers)
+
+set(SWALLOWTAIL_LIBRARIES base world path scenario swarm replan gtsp field energy schedule maintain task)
+foreach(library ${SWALLOWTAIL_LIBRARIES})
+  install(TARGETS swallowtail_${library} EXPORT swallowtail-targets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+endforeach()
+install(DIRECTORY planner coverage DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/swallowtail
+        FILES_MATCHING PATTERN "*.hpp" PATTERN "participant" EXCLUDE PATTERN "detail" EXCLUDE)
+set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/swallowtail)
+install(EXPORT swallowtail-targets NAMESPACE swallowtail:: DESTINATION ${package_folder})
+configure_package_config_file(tools/cmake/swallowtail-config.cmake.in ${CMAKE_BINARY_DIR}/swallowtail-config.cmake
+                              INSTALL_DESTINATION ${package_folder})
+write_basic_package_version_file(${CMAKE_BINARY_DIR}/swallowtail-config-version.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${CMAKE_BINARY_DIR}/swallowtail-config.cmake ${CMAKE_BINARY_DIR}/swallowtail-config-version.cmake
+        DESTINATION ${package_folder})
