@@ -1,0 +1,150 @@
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "planner/scenario/detail/read_parts.hpp"
+
+namespace swallowtail::planner::detail {
+namespace {
+
+using Kind = ScenarioError::Kind;
+
+constexpr Range kSpeed = above_to(0, kMaxSpeed_mps);
+constexpr Range kEnergy = above_to(0, 1e9);
+constexpr std::size_t kMaxFieldIds = 64;
+
+void read_energy_model(Section& vehicle, EnergyRates& out) {
+  const RawNode* node = vehicle.raw("energy_model", Need::kOptional);
+  if (node == nullptr) return;
+  if (node->kind == RawNode::Kind::kScalar && node->scalar == "document") return;
+  if (node->kind != RawNode::Kind::kMap) {
+    vehicle.fail(node->kind == RawNode::Kind::kScalar ? Kind::kRange : Kind::kType, "energy_model",
+                 "must be document or a map of rates");
+    return;
+  }
+  Section rates(*node, vehicle.path_of("energy_model"), vehicle.log());
+  constexpr Range kRate = above_to(0, 1e6);
+  rates.number("level_per_s", Need::kRequired, kRate, out.level_per_s);
+  rates.number("climb_per_s", Need::kRequired, kRate, out.climb_per_s);
+  rates.number("descent_per_s", Need::kRequired, kRate, out.descent_per_s);
+  rates.number("hover_per_s", Need::kRequired, kRate, out.hover_per_s);
+  rates.number("landed_per_s", Need::kOptional, from_to(0, 1e6), out.landed_per_s);
+  rates.finish();
+}
+
+void read_heights(Section& coverage, HeightSpec& out) {
+  auto heights = coverage.section("heights", Need::kRequired);
+  if (!heights || !heights->is_map()) return;
+  constexpr Range kHeight = above_to(0, 1e4);
+  heights->number("default_m", Need::kRequired, kHeight, out.default_m);
+  std::vector<std::pair<std::string, double>> classes;
+  if (heights->numbers_by_name("classes", Need::kOptional, kHeight, classes))
+    out.classes.insert(classes.begin(), classes.end());
+  heights->finish();
+}
+
+void read_battery(Section& coverage, BatterySpec& out) {
+  auto battery = coverage.section("battery", Need::kRequired);
+  if (!battery || !battery->is_map()) return;
+  bool ok = battery->number("capacity", Need::kRequired, kEnergy, out.capacity);
+  battery->integer("levels", Need::kRequired, from_to(2, 100), out.levels);
+  ok = battery->number("reserve", Need::kRequired, from_to(0, 1e9), out.reserve) && ok;
+  battery->number("charge_s_per_unit", Need::kRequired, above_to(0, 1e4), out.charge_s_per_unit);
+  battery->finish();
+  if (ok && out.reserve >= out.capacity) battery->fail(Kind::kRelation, "reserve", "must be below capacity");
+}
+
+void read_charger(Section& coverage, const Bounds& bounds, ChargerSpec& out) {
+  auto charger = coverage.section("charger", Need::kRequired);
+  if (!charger || !charger->is_map()) return;
+  charger->integer("id", Need::kOptional, kId, out.id);
+  charger->number("speed_mps", Need::kRequired, kSpeed, out.speed_mps);
+  charger->number("take_off_s", Need::kOptional, from_to(0, 1e4), out.take_off_s);
+  charger->number("landing_s", Need::kOptional, from_to(0, 1e4), out.landing_s);
+  const bool has_start =
+      charger->vector("start_m", Need::kRequired, from_to(-kMaxXy_m, kMaxXy_m), out.start_m);
+  if (has_start && !bounds.contains({out.start_m.x(), out.start_m.y(), bounds.min_m.z()})) {
+    charger->fail(Kind::kRelation, "start_m", "must be within bounds_m");
+  }
+  charger->finish();
+}
+
+void read_field_ids(Section& coverage, std::vector<std::string>& out) {
+  for (const Section::Item& item : coverage.list("field_ids", Need::kOptional, 1, kMaxFieldIds)) {
+    const bool is_id = item.node->kind == RawNode::Kind::kScalar && !item.node->scalar.empty();
+    if (!is_id) {
+      coverage.log().add(Kind::kType, item.node->line, item.path, shown(*item.node),
+                         "must be the id of a field");
+    } else if (std::ranges::find(out, item.node->scalar) != out.end()) {
+      coverage.log().add(Kind::kDuplicate, item.node->line, item.path, shown(*item.node),
+                         "stands twice in the list");
+    } else {
+      out.push_back(item.node->scalar);
+    }
+  }
+}
+
+}  // namespace
+
+void read_vehicle(Section& top, Scenario& scenario) {
+  auto section = top.section("vehicle", Need::kRequired);
+  if (!section || !section->is_map()) return;
+  VehicleLimits& limits = scenario.vehicle.limits;
+  section->integer("id", Need::kOptional, kId, scenario.vehicle.id);
+  section->number("radius_m", Need::kRequired, above_to(0, 100), limits.radius_m);
+  section->number("margin_m", Need::kRequired, from_to(0, 1000), limits.margin_m);
+  section->number("cruise_speed_mps", Need::kRequired, kSpeed, limits.cruise_speed_mps);
+  section->number("climb_speed_mps", Need::kOptional, kSpeed, limits.climb_speed_mps);
+  section->number("descent_speed_mps", Need::kOptional, kSpeed, limits.descent_speed_mps);
+  section->angle_deg("turn_max_deg", Need::kOptional, above_to(0, 180), limits.turn_max_rad);
+  section->angle_deg("climb_max_deg", Need::kOptional, above_to(0, 89), limits.climb_max_rad);
+  read_energy_model(*section, scenario.vehicle.energy);
+  section->finish();
+}
+
+void read_planning(Section& top, Scenario& scenario) {
+  auto section = top.section("planning", Need::kOptional);
+  if (!section || !section->is_map()) return;
+  PlanningSpec& planning = scenario.planning;
+  section->choice("algorithm", Need::kOptional,
+                  {"boa", "pso", "ibabc", "aco", "nmopso", "boa-seed", "pso-seed", "ibabc-seed", "aco-seed",
+                   "nmopso-seed"},
+                  planning.algorithm);
+  section->integer("waypoints", Need::kOptional, from_to(1, 64), planning.waypoints);
+  section->choice("cost", Need::kOptional, {"default", "boa", "pso", "ibabc", "nmopso"}, planning.cost);
+  section->finish();
+}
+
+void read_coverage(Section& top, const std::string& folder, Scenario& scenario) {
+  auto section = top.section("coverage", Need::kOptional);
+  if (!section || !section->is_map()) return;
+  CoverageSpec coverage;
+  resolve_file(*section, "fields", folder, coverage.fields_file);
+  read_field_ids(*section, coverage.field_ids);
+  Vec2 place = Vec2::Zero();
+  if (section->has("place_at_m") &&
+      section->vector("place_at_m", Need::kOptional, from_to(-kMaxXy_m, kMaxXy_m), place)) {
+    coverage.place_at_m = place;
+  }
+  section->number("sensor_width_m", Need::kRequired, above_to(0, 1e4), coverage.sensor_width_m);
+  read_heights(*section, coverage.heights);
+  section->number("height_tolerance_m", Need::kOptional, above_to(0, 1e4), coverage.height_tolerance_m);
+  section->number("height_band_m", Need::kOptional, from_to(0, 1e4), coverage.height_band_m);
+  section->integer("neighbours", Need::kOptional, from_to(1, 1000), coverage.neighbours);
+  read_battery(*section, coverage.battery);
+  read_charger(*section, scenario.bounds, coverage.charger);
+  section->finish();
+  scenario.coverage = std::move(coverage);
+}
+
+void read_disturbances(Section& top, Scenario& scenario) {
+  if (auto wind = top.section("wind", Need::kOptional); wind && wind->is_map()) {
+    wind->number("speed_mps", Need::kRequired, from_to(0, 50), scenario.wind.speed_mps);
+    wind->angle_deg("direction_deg", Need::kRequired, from_to(0, 360), scenario.wind.direction_rad);
+    wind->number("gust_mps", Need::kOptional, from_to(0, 50), scenario.wind.gust_mps);
+    wind->finish();
+  }
+  top.number("battery_noise", Need::kOptional, from_to(0, 0.5), scenario.battery_noise);
+}
+
+}  // namespace swallowtail::planner::detail

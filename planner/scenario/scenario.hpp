@@ -1,0 +1,137 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <numbers>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "planner/base/vec.hpp"
+#include "planner/path/path.hpp"
+#include "planner/world/obstacle.hpp"
+#include "planner/world/raster_file.hpp"
+#include "planner/world/terrain.hpp"
+#include "planner/world/world.hpp"
+
+/// What a scenario file says, validated (scenario/read.hpp) but not yet built (scenario/load.hpp). Defaults
+/// stand here and nowhere else. Angles are radians here and degrees in the file; paths of files are made
+/// absolute to where the scenario file stands.
+namespace swallowtail::planner {
+
+struct FlatTerrain {
+  double elevation_m = 0.0;
+};
+struct MountainTerrain {
+  std::vector<Mountain> mountains;
+  std::optional<double> cell_size_m;  ///< chosen from bounds and spreads when left out
+};
+struct RasterTerrain {
+  std::string file;
+  std::optional<double> no_data_elevation_m;
+};
+using TerrainSpec = std::variant<FlatTerrain, MountainTerrain, RasterTerrain>;
+
+/// Energy units per second in each phase of flight. The default is the document's model: one unit per second
+/// aloft [COV 3].
+struct EnergyRates {
+  double level_per_s = 1.0;
+  double climb_per_s = 1.0;
+  double descent_per_s = 1.0;
+  double hover_per_s = 1.0;
+  double landed_per_s = 0.0;
+};
+
+struct VehicleSpec {
+  std::uint32_t id = 1;
+  VehicleLimits limits;
+  EnergyRates energy;
+};
+
+struct PlanningSpec {
+  std::string algorithm = "boa";
+  int waypoints = 6;  ///< between start and goal
+  std::string cost = "default";
+};
+
+struct HeightSpec {
+  double default_m = 20.0;                ///< above ground
+  std::map<std::string, double> classes;  ///< value of a feature's property `class` → metres above ground
+};
+
+struct BatterySpec {
+  double capacity = 500.0;
+  int levels = 10;
+  double reserve = 25.0;
+  double charge_s_per_unit = 2.0;
+};
+
+struct ChargerSpec {
+  std::uint32_t id = 1;
+  double speed_mps = 1.6;
+  double take_off_s = 5.0;
+  double landing_s = 5.0;
+  Vec2 start_m = Vec2::Zero();
+};
+
+struct CoverageSpec {
+  std::string fields_file;             ///< GeoJSON; coverage/field reads it
+  std::vector<std::string> field_ids;  ///< which of its features; empty: all
+  std::optional<Vec2> place_at_m;      ///< where the centre of the fields' bounding box is moved to
+  double sensor_width_m = 10.0;
+  HeightSpec heights;
+  double height_tolerance_m = 2.0;  ///< a sub-cell is cut where the required altitude leaves this band
+  double height_band_m = 0.0;       ///< layers' epsilon [COV 4.1]
+  int neighbours = 5;               ///< X [COV 4.1]
+  BatterySpec battery;
+  ChargerSpec charger;
+};
+
+struct WindSpec {
+  double speed_mps = 0.0;
+  double direction_rad = 0.0;  ///< where it blows to, clockwise from north
+  double gust_mps = 0.0;       ///< greatest deviation from speed_mps
+};
+
+struct ObstacleAppears {
+  Obstacle obstacle;
+};  ///< its state_time_s is the event's time
+struct ObstacleMoves {
+  std::uint32_t id = 0;
+  Vec3 velocity_mps = Vec3::Zero();
+};
+struct ObstacleVanishes {
+  std::uint32_t id = 0;
+};
+struct BatteryLoss {
+  double energy = 0.0;
+};
+struct ChargerDelay {
+  double delay_s = 0.0;
+};
+
+struct Event {
+  double at_s = 0.0;
+  std::variant<ObstacleAppears, ObstacleMoves, ObstacleVanishes, BatteryLoss, ChargerDelay> what;
+};
+
+struct Scenario {
+  std::string file;  ///< where it was read from
+  std::string name;
+  std::optional<GeoOrigin> origin;  ///< none: a purely local scene
+  Bounds bounds;
+  TerrainSpec terrain = FlatTerrain{};
+  std::vector<Obstacle> obstacles;  ///< those known at t = 0
+  VehicleSpec vehicle;
+  std::optional<Vec3>
+      start_m;  ///< always there with a goal; a coverage mission starts at the charger's start without it
+  std::optional<Vec3> goal_m;
+  PlanningSpec planning;
+  std::optional<CoverageSpec> coverage;  ///< a goal, a coverage or both are there
+  WindSpec wind;
+  double battery_noise = 0.0;  ///< standard deviation of the power drawn, as a share of it
+  std::vector<Event> events;   ///< in time
+};
+
+}  // namespace swallowtail::planner
