@@ -51,23 +51,26 @@ struct PlanProgress {
 
 struct PlanReport {
   PlanStatus status = PlanStatus::kNoneFound;
-  std::string reason;           ///< a sentence for people, by which obstacle it is blocked for instance
-  TimedPath path;               ///< certified; empty unless the status is kCertified
-  Certificate certificate;      ///< of `path`; else of the straight line
+  std::string reason;       ///< a sentence for people, by which obstacle it is blocked for instance
+  TimedPath path;           ///< certified; empty unless the status is kCertified
+  Certificate certificate;  ///< of `path`; else of the straight line
   double length_m = 0.0;
   double duration_s = 0.0;
-  double cost = 0.0;            ///< the optimiser's: length ÷ straight line, and penalties
+  double cost = 0.0;  ///< the optimiser's: length ÷ straight line, and penalties
   std::uint64_t evaluations = 0;
-  double wall_ms = 0.0;         ///< 0 without a clock
+  double wall_ms = 0.0;  ///< 0 without a clock
   double first_certified_ms = 0.0;
   std::vector<PlanProgress> history;  ///< each improvement of the certified path
 };
 
-/// Plans from one point to another: the straight line if it is clear; else the named algorithm chooses corridors in rounds of different boxes and seeds, a local
-/// descent shortens what it finds, and the certifier decides. Anytime: goes on until `stop` or until rounds no longer improve. Without a limit in `stop` it uses
-/// kDefaultEvaluations. `observer` is called on each improvement (may be empty). Times come from `clock` (may be null: all wall times 0).
-/// Errors: limits, parameters or points that do not validate. A path that is not certified is never returned.
-Result<PlanReport> plan_path(std::shared_ptr<const World> world, const PlanRequest& request, const StopCondition& stop, const Clock* clock = nullptr,
+/// Plans from one point to another: the straight line if it is clear; else the named algorithm chooses
+/// corridors in rounds of different boxes and seeds, a local descent shortens what it finds, and the
+/// certifier decides. Anytime: goes on until `stop` or until rounds no longer improve. Without a limit in
+/// `stop` it uses kDefaultEvaluations. `observer` is called on each improvement (may be empty). Times come
+/// from `clock` (may be null: all wall times 0). Errors: limits, parameters or points that do not validate. A
+/// path that is not certified is never returned.
+Result<PlanReport> plan_path(std::shared_ptr<const World> world, const PlanRequest& request,
+                             const StopCondition& stop, const Clock* clock = nullptr,
                              const std::function<void(const PlanProgress&)>& observer = {});
 
 inline constexpr std::uint64_t kDefaultEvaluations = 50'000;

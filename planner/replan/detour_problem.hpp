@@ -1,0 +1,82 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "planner/replan/obstacle_field.hpp"
+#include "planner/swarm/problem.hpp"
+
+namespace swallowtail::planner {
+
+/// From where and when to where.
+struct DetourEnds {
+  Vec3 from_m = Vec3::Zero();
+  Vec3 to_m = Vec3::Zero();
+  double from_time_s = 0.0;
+  /// Directions of flight before and after; zero where there is none to turn from or into.
+  Vec3 before = Vec3::Zero();
+  Vec3 after = Vec3::Zero();
+};
+
+enum class DetourObjective : std::uint8_t { kLength, kTime };
+
+/// Paths of k waypoints between two points, as variables for an optimiser.
+///
+/// Encoding: waypoint i is from + D·(x_i e1 + y_i e2 + z_i e3), with D the distance and (e1, e2, e3) a frame
+/// along from–to (e2 level, e3 = e1 × e2). So variables have no unit, and a scene that is shifted, turned
+/// about the vertical or scaled gives the same search. Waypoints are clamped to the world's bounds, a box
+/// being convex. Cost: length ÷ D (or time × cruise speed ÷ D) + kPenalty · depth ÷ D, summed over hops and
+/// obstacles with the depth of the exact segment distance [BOA Eq. 12 as corrected], and over the ground [BOA
+/// Eq. 14]; moving obstacles are met at the time the flight is there at cruise speed. Departs from [BOA Eq.
+/// 16]: the penalty is linear and its weight constant, large enough for its minimum to be free of violations.
+/// A hop steeper than climb_max_rad counts as it is flown: a vertical and a level part.
+class DetourProblem {
+ public:
+  static constexpr double kPenalty = 10.0;
+
+  DetourProblem(const ObstacleField& field, const VehicleLimits& limits, const DetourEnds& ends,
+                int waypoints, DetourObjective objective);
+
+  /// The optimiser's form; it borrows this. `spread` is the half width of the box as a share of D.
+  swarm::Problem in_box(double spread) const;
+  /// A spread that leaves room round the obstacles near the straight line.
+  double natural_spread() const;
+
+  int waypoints() const { return waypoints_; }
+  double distance_m() const { return distance_m_; }
+  const ObstacleField& field() const { return field_; }
+  const DetourEnds& ends() const { return ends_; }
+  const VehicleLimits& limits() const { return limits_; }
+
+  Vec3 decode(const Eigen::Ref<const Eigen::VectorXd>& x, Eigen::Index waypoint) const;
+  std::vector<Vec3> decode(const Eigen::Ref<const Eigen::VectorXd>& x) const;
+  Eigen::VectorXd encode(const std::vector<Vec3>& waypoints) const;  ///< as many as waypoints()
+  /// A direction from the frame to the world, and back.
+  const Eigen::Matrix3d& frame() const { return frame_; }
+
+  struct Cost {
+    double length_m = 0.0;
+    double duration_s = 0.0;
+    double violation_m = 0.0;
+  };
+  Cost cost(const Eigen::Ref<const Eigen::VectorXd>& x) const;
+  double value(const Cost& cost) const;
+
+ private:
+  struct Progress;
+  void fly(Progress& progress, const Vec3& to) const;
+
+  const ObstacleField& field_;
+  VehicleLimits limits_;
+  DetourEnds ends_;
+  int waypoints_;
+  DetourObjective objective_;
+  double distance_m_;
+  Eigen::Matrix3d frame_;
+};
+
+/// `count` points that follow the polyline evenly, its corners first of all: fewer corners than points are
+/// filled up on the longest hops; of more, those that bend least are left out. Ends not included.
+std::vector<Vec3> resample(const Vec3& from, std::vector<Vec3> corners, const Vec3& to, int count);
+
+}  // namespace swallowtail::planner

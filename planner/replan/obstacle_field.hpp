@@ -1,0 +1,91 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "planner/base/vec.hpp"
+#include "planner/path/path.hpp"
+#include "planner/world/world.hpp"
+
+namespace swallowtail::planner {
+
+/// How a straight flight comes to one obstacle: signed distance (negative inside) of its centre line to the
+/// surface, where along the flight (0 … 1), and the unit normal there, away from the obstacle.
+struct Approach {
+  double signed_distance_m = 0.0;
+  double fraction = 0.0;
+  Vec3 normal = Vec3::Zero();
+};
+
+/// A World as the optimisers' inner loop wants it: plain arrays, closed-form signed distances, no FCL and no
+/// memory taken by a query. Spheres, cylinders, cones and boxes are exact up to the bisection along a segment
+/// (kBisections halvings); a mesh stands as the intersection of the half-spaces of kDirections fixed
+/// directions, which holds it, so its distance is never too great. What it calls clear still goes to the
+/// certifier.
+class ObstacleField {
+ public:
+  static constexpr int kBisections = 16;
+  static constexpr std::size_t kDirections = 62;
+
+  ObstacleField(std::shared_ptr<const World> world, const VehicleLimits& limits);
+
+  std::size_t size() const { return solids_.size(); }
+  const World& world() const { return *world_; }
+  bool anything_moves() const { return anything_moves_; }
+  std::uint32_t id(std::size_t i) const { return solids_[i].id; }
+  bool moves(std::size_t i) const { return solids_[i].velocity_mps != Vec3::Zero(); }
+  /// Distance to keep from obstacle i: hull, margins, and a little more than the certifier asks for.
+  double required_m(std::size_t i) const { return solids_[i].required_m; }
+  /// Centre and radius of a ball that holds obstacle i at that time.
+  Vec3 ball_center_m(std::size_t i, double time_s) const;
+  double ball_radius_m(std::size_t i) const { return solids_[i].ball_radius_m; }
+
+  /// Depth by which the flight from a at t0_s to b at t1_s breaks the distance to obstacle i; 0 if it keeps
+  /// it.
+  double violation_m(std::size_t i, const Vec3& a, double t0_s, const Vec3& b, double t1_s) const;
+  /// The same over all obstacles.
+  double violation_m(const Vec3& a, double t0_s, const Vec3& b, double t1_s) const;
+  /// False if the bounding ball already shows that the distance is kept by `cap_m` and more.
+  bool near(std::size_t i, const Vec3& a, double t0_s, const Vec3& b, double t1_s, double cap_m) const;
+  Approach approach(std::size_t i, const Vec3& a, double t0_s, const Vec3& b, double t1_s) const;
+
+  /// Depth by which the segment breaks the height above ground. What the certifier asks for depends on the
+  /// slope nearby; the steepness allowed for here is a share of the steepest slope of all.
+  double terrain_violation_m(const Vec3& a, const Vec3& b) const;
+  /// 0: allow for level ground, 1: for the steepest slope of the terrain.
+  void set_slope_share(double share);
+  double ground_clearance_m() const { return ground_clearance_m_; }
+
+ private:
+  enum class Kind : std::uint8_t { kSphere, kCylinder, kCone, kBox, kMesh };
+  struct Solid {
+    Kind kind = Kind::kSphere;
+    std::uint32_t id = 0;
+    Vec3 position_m = Vec3::Zero();  ///< at time 0
+    Vec3 velocity_mps = Vec3::Zero();
+    double valid_until_s = 0.0;
+    double required_m = 0.0;
+    Vec3 ball_offset_m = Vec3::Zero();
+    double ball_radius_m = 0.0;
+    double radius_m = 0.0;
+    double height_m = 0.0;
+    Vec3 half_m = Vec3::Zero();
+    double cos_yaw = 1.0;
+    double sin_yaw = 0.0;
+    std::size_t first_support = 0;
+  };
+
+  double signed_distance(const Solid& solid, const Vec3& p, Vec3& normal) const;
+  double mesh_distance(const Solid& solid, const Vec3& p, Vec3& normal) const;
+
+  std::shared_ptr<const World> world_;
+  double radius_m_ = 0.0;
+  double ground_clearance_m_ = 0.0;
+  bool anything_moves_ = false;
+  std::vector<Solid> solids_;
+  std::vector<double> supports_;
+};
+
+}  // namespace swallowtail::planner
