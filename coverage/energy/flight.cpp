@@ -1,0 +1,96 @@
+#include "coverage/energy/flight.hpp"
+
+#include <algorithm>
+#include <Eigen/Geometry>
+#include <cmath>
+
+namespace swallowtail::coverage {
+namespace {
+
+constexpr double kSamePlace_m = 1e-6;
+/// Kept above the ground under a transfer, besides the vehicle's clearance.
+constexpr double kTransferMargin_m = 1.0;
+
+bool differs(double a, double b) { return std::abs(a - b) > kSamePlace_m; }
+
+Vec3 flat(const Vec3& v) { return {v.x(), v.y(), 0.0}; }
+
+}  // namespace
+
+FlightCost FlightModel::level(double length_m) const {
+  const double time = length_m / limits_.cruise_speed_mps;
+  return {time, time * energy_.level_per_s, length_m};
+}
+
+FlightCost FlightModel::vertical(double height_m) const {
+  const bool climbs = height_m > 0.0;
+  const double time = std::abs(height_m) / (climbs ? limits_.climb_speed_mps : limits_.descent_speed_mps);
+  return {time, time * (climbs ? energy_.climb_per_s : energy_.descent_per_s), std::abs(height_m)};
+}
+
+FlightCost FlightModel::stop() const {
+  return {planner::kStopToTurn_s, planner::kStopToTurn_s * energy_.hover_per_s, 0.0};
+}
+
+Vec3 FlightModel::ground(const Vec3& at) const { return {at.x(), at.y(), terrain_->height_at(at.x(), at.y())}; }
+
+FlightCost FlightModel::take_off(const Vec3& at) const { return vertical(at.z() - ground(at).z()) + stop(); }
+
+FlightCost FlightModel::landing(const Vec3& at) const { return stop() + vertical(std::min(0.0, ground(at).z() - at.z())); }
+
+double FlightModel::transfer_altitude(const Vec3& from, const Vec3& to) const {
+  const double ends = std::max(from.z(), to.z());
+  if (terrain_->is_flat()) return std::max(ends, terrain_->flat_elevation_m());
+  const double top = -terrain_->min_height_above(flat(from), flat(to));
+  const double needed = top + limits_.clearance_m() + kTransferMargin_m;
+  return needed > ends + kSamePlace_m ? needed : ends;
+}
+
+FlightCost FlightModel::turn(const Vec3& before, const Vec3& after) const {
+  const double angle = std::atan2(before.cross(after).norm(), before.dot(after));
+  return angle > limits_.turn_max_rad + 1e-9 ? stop() : FlightCost{};
+}
+
+FlightCost FlightModel::level_part(const Vec3& from, const Vec3& to, const Ends& ends) const {
+  const Vec3 way = flat(to - from);
+  const double length = way.norm();
+  if (length < kSamePlace_m) {
+    if (ends.before && ends.after) return turn(*ends.before, *ends.after);
+    return {};
+  }
+  FlightCost cost = level(length);
+  if (ends.before) cost += turn(*ends.before, way);
+  if (ends.after) cost += turn(way, *ends.after);
+  return cost;
+}
+
+FlightCost FlightModel::transfer(const Vec3& from, const Vec3& to, const Ends& ends) const {
+  const double altitude = transfer_altitude(from, to);
+  Ends level_ends = ends;
+  FlightCost cost;
+  const bool climbs = differs(altitude, from.z());
+  const bool descends = differs(altitude, to.z());
+  if (climbs) {
+    cost += (ends.before ? stop() : FlightCost{}) + vertical(altitude - from.z()) + stop();
+    level_ends.before.reset();
+  }
+  if (descends) {
+    cost += stop() + vertical(to.z() - altitude) + (ends.after ? stop() : FlightCost{});
+    level_ends.after.reset();
+  }
+  return cost + level_part(from, to, level_ends);
+}
+
+FlightCost FlightModel::take_off_to(const Vec3& from, const Vec3& to, const std::optional<Vec3>& after) const {
+  Vec3 above = from;
+  above.z() = transfer_altitude(Vec3(from.x(), from.y(), to.z()), to);
+  return take_off(above) + transfer(above, to, {std::nullopt, after});
+}
+
+FlightCost FlightModel::transfer_and_land(const Vec3& from, const std::optional<Vec3>& before, const Vec3& to) const {
+  Vec3 above = to;
+  above.z() = transfer_altitude(from, to);
+  return transfer(from, above, {before, std::nullopt}) + landing(above);
+}
+
+}  // namespace swallowtail::coverage

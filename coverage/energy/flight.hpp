@@ -1,0 +1,78 @@
+#pragma once
+
+#include <optional>
+
+#include "coverage/energy/battery.hpp"
+#include "planner/base/vec.hpp"
+#include "planner/path/path.hpp"
+#include "planner/world/terrain.hpp"
+
+namespace swallowtail::coverage {
+
+/// What a stretch of flight takes. They add up.
+struct FlightCost {
+  double time_s = 0.0;
+  double energy = 0.0;
+  double length_m = 0.0;
+
+  FlightCost& operator+=(const FlightCost& other) {
+    time_s += other.time_s;
+    energy += other.energy;
+    length_m += other.length_m;
+    return *this;
+  }
+  friend FlightCost operator+(FlightCost a, const FlightCost& b) { return a += b; }
+  friend FlightCost operator-(FlightCost a, const FlightCost& b) {
+    a += FlightCost{-b.time_s, -b.energy, -b.length_m};
+    return a;
+  }
+};
+
+/// Predicts flights the way the planner flies them (planner::time_route): level at cruise speed, vertical climbs first and descents last, a stop of planner::kStopToTurn_s where a vertical part begins
+/// or ends in the air and where the turn limit would be broken. Transfers climb over the ground between their ends where it stands higher than they are. Borrows the terrain.
+class FlightModel {
+ public:
+  FlightModel(const planner::VehicleLimits& limits, const EnergyModel& energy, const planner::Terrain& terrain)
+      : limits_(limits), energy_(energy), terrain_(&terrain) {}
+
+  /// Level, straight.
+  FlightCost level(double length_m) const;
+  /// Vertical, by a signed height.
+  FlightCost vertical(double height_m) const;
+  FlightCost stop() const;
+
+  /// From the ground below `at` up to it, standing there ready to go any way.
+  FlightCost take_off(const Vec3& at) const;
+  /// From `at` down to the ground, the stop before included.
+  FlightCost landing(const Vec3& at) const;
+
+  /// Directions (of any length) flown before and after a transfer; none: it stands still there.
+  struct Ends {
+    std::optional<Vec3> before;
+    std::optional<Vec3> after;
+  };
+  /// In the air from one place to another, stops included.
+  FlightCost transfer(const Vec3& from, const Vec3& to, const Ends& ends) const;
+  /// From the ground below `from` to `to` in the air.
+  FlightCost take_off_to(const Vec3& from, const Vec3& to, const std::optional<Vec3>& after) const;
+  /// In the air from `from` to the ground below `to`.
+  FlightCost transfer_and_land(const Vec3& from, const std::optional<Vec3>& before, const Vec3& to) const;
+
+  /// The site on the ground below a place.
+  Vec3 ground(const Vec3& at) const;
+  const planner::Terrain& terrain() const { return *terrain_; }
+  const planner::VehicleLimits& limits() const { return limits_; }
+  const EnergyModel& energy_model() const { return energy_; }
+
+ private:
+  double transfer_altitude(const Vec3& from, const Vec3& to) const;
+  /// Stop or not between two directions.
+  FlightCost turn(const Vec3& before, const Vec3& after) const;
+  FlightCost level_part(const Vec3& from, const Vec3& to, const Ends& ends) const;
+
+  planner::VehicleLimits limits_;
+  EnergyModel energy_;
+  const planner::Terrain* terrain_;
+};
+
+}  // namespace swallowtail::coverage

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "coverage/energy/flight.hpp"
+
+namespace swallowtail::coverage {
+
+/// What happens between a leg's exit and the next leg's entry [COV Tab. 2]: F fly, D land, U take off, T be carried. kEnd: land, nothing follows.
+enum class Transfer : std::uint8_t { kFF, kFFDU, kFDUF, kFDUFDU, kFDTU, kEnd };
+const char* name_of(Transfer transfer);
+
+/// Flights between two legs, from which the five transfers are put together. Energies and times without handling, charging and driving.
+struct LegLink {
+  FlightCost hop;             ///< exit → entry in the air
+  FlightCost land_at_exit;    ///< exit → ground
+  FlightCost land_at_entry;   ///< exit → above the entry → ground
+  FlightCost lift_from_exit;  ///< ground at the exit → entry
+  FlightCost lift_at_entry;   ///< ground at the entry → entry
+  FlightCost ground_to_ground;  ///< ground at the exit → ground at the entry, by air
+  double drive_s = 0.0;       ///< ground robot from one site to the other
+  bool same_site = false;     ///< exit and entry are one place: being carried makes no sense
+};
+
+/// A leg as it is flown.
+struct FlownLeg {
+  Vec3 entry_m = Vec3::Zero();
+  Vec3 exit_m = Vec3::Zero();
+  /// Of no length when entry and exit are one place.
+  Vec3 direction() const { return exit_m - entry_m; }
+};
+
+LegLink link_legs(const FlownLeg& from, const FlownLeg& to, const FlightModel& model, const Charger& charger);
+
+struct TransferTerms {
+  double capacity = 500.0;
+  double reserve = 25.0;
+  double charge_s_per_unit = 2.0;
+  double take_off_s = 5.0;
+  double landing_s = 5.0;
+  double energy_factor = 1.0;  ///< predicted energies are multiplied by this: allowance for wind and noise
+};
+
+struct TransferChoice {
+  Transfer type = Transfer::kFF;
+  double time_s = 0.0;
+  double charged = 0.0;
+};
+
+/// The conditions and times of [COV Tab. 2] with its printing errors corrected (see design notes: signs, `e`, and the take-off of F-DUF at the exit): from `energy_at_exit` to at least `energy_at_entry`
+/// in the air at the next leg's entry, charging only what is missing. Nothing when the type cannot do it. Every landing keeps the reserve.
+std::optional<TransferChoice> try_transfer(Transfer type, const LegLink& link, double energy_at_exit, double energy_at_entry, const TransferTerms& terms);
+
+/// The quickest of the five.
+std::optional<TransferChoice> best_transfer(const LegLink& link, double energy_at_exit, double energy_at_entry, const TransferTerms& terms);
+
+}  // namespace swallowtail::coverage

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "coverage/field/polygon.hpp"
+#include "planner/base/vec.hpp"
+#include "planner/world/terrain.hpp"
+
+namespace swallowtail::coverage {
+
+/// A field as asked for. `height_m` is the flying height above ground.
+struct Field {
+  std::uint32_t id = 0;
+  std::string name;
+  Polygon polygon;
+  double height_m = 20.0;
+};
+
+/// A stretch that is flown straight at one altitude from one of its two sites to the other [COV 3].
+struct SubCell {
+  std::uint32_t id = 0;
+  std::uint32_t field_id = 0;
+  Vec3 alpha_m = Vec3::Zero();
+  Vec3 beta_m = Vec3::Zero();
+  double height_m = 0.0;  ///< above ground, as asked
+  double width_m = 0.0;   ///< of the sensor's swath
+
+  double length_m() const { return (beta_m - alpha_m).norm(); }
+};
+
+struct CutParams {
+  double sensor_width_m = 10.0;
+  std::optional<double> sweep_rad;   ///< see StripParams
+  double piece_cost_m = 25.0;        ///< see SweepParams
+  double height_tolerance_m = 2.0;   ///< over terrain: a sub-cell is cut where the height above ground would leave this band
+  double clearance_m = 2.5;          ///< least height above ground that is ever flown
+  double max_length_m = std::numeric_limits<double>::infinity();  ///< what one battery flies, climb and landing left aside
+};
+Status validate(const CutParams& params);
+
+enum class FieldStatus : std::uint8_t { kPlanned, kRefused };
+
+struct FieldCut {
+  std::uint32_t id = 0;
+  std::string name;
+  FieldStatus status = FieldStatus::kRefused;
+  std::string reason;           ///< why it was refused, a sentence; empty when planned
+  double area_m2 = 0.0;
+  double covered_m2 = 0.0;      ///< of the field, by the union of the swaths
+  double outside_m2 = 0.0;      ///< of the swaths' union, beyond the field
+  double sweep_rad = 0.0;
+  int strips = 0;
+  int cells = 0;                ///< connected parts of strips
+  int beyond_tolerance = 0;     ///< sub-cells so steep that even the shortest leaves the height band
+  std::vector<SubCell> sub_cells;  ///< along the strips, ids from 0
+};
+
+inline constexpr std::size_t kMaxSubCells = 4096;
+
+/// Cleans the field, cuts it into strips and these into sub-cells, and measures what they cover. It never fails: a field that cannot be planned comes back refused with the reason.
+FieldCut cut_field(const Field& field, const planner::Terrain& terrain, const CutParams& params);
+
+}  // namespace swallowtail::coverage

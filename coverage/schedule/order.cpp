@@ -1,0 +1,152 @@
+#include "coverage/schedule/order.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace swallowtail::coverage {
+namespace {
+
+/// What each mode may spend; a deadline can cut it short.
+struct Budget {
+  int layered_vertices;     ///< largest layered graph that is searched
+  int plain_vertices;       ///< largest graph without levels
+  std::uint64_t iterations;  ///< of the layered search
+  std::uint64_t schedules;  ///< computed by the local search, times the number of sub-cells: a schedule's time grows with it
+};
+
+Budget budget_of(gtsp::Mode mode) {
+  switch (mode) {
+    case gtsp::Mode::kFast: return {1700, 1000, 4'000, 60'000};
+    case gtsp::Mode::kDefault: return {3000, 2000, 20'000, 400'000};
+    case gtsp::Mode::kSlow: return {6000, 4000, std::numeric_limits<std::uint64_t>::max(), 4'000'000};
+  }
+  return {1700, 1000, 4'000, 60'000};
+}
+
+class OrderSearch {
+ public:
+  OrderSearch(std::span<const SubCell> cells, const ScheduleStart& start, const Task& task, const PlanOptions& options, LinkCache& links)
+      : cells_(cells), start_(start), task_(task), options_(options), links_(links), budget_(budget_of(options.mode)),
+        stops_(links, stop_params(task, options)) {}
+
+  Result<Order> run();
+
+ private:
+  double now() const { return options_.clock != nullptr ? options_.clock->now_s() : 0.0; }
+  void offer(const char* from, std::vector<Visit> visits);
+  void solve_graph(int levels, const char* from);
+  gtsp::Solution solve(const LayeredGraph& graph, bool warm) const;
+  void compare_with_full_graph(const GraphParams& params);
+  StopCondition part_of_deadline(double share) const;
+
+  std::span<const SubCell> cells_;
+  const ScheduleStart& start_;
+  const Task& task_;
+  const PlanOptions& options_;
+  LinkCache& links_;
+  Budget budget_;
+  StopPlanner stops_;
+  PlanStatistics statistics_;
+  std::vector<Visit> best_;
+  double best_end_s_ = std::numeric_limits<double>::infinity();
+};
+
+void OrderSearch::offer(const char* from, std::vector<Visit> visits) {
+  std::vector<RouteLeg> route;
+  for (const Visit& visit : visits) route.push_back(route_leg(cells_[visit.sub_cell], visit));
+  const double end = stops_.end_of(route, start_);
+  ++statistics_.schedules_computed;
+  if (end < best_end_s_) {
+    best_end_s_ = end;
+    best_ = std::move(visits);
+    statistics_.order_from = from;
+  }
+}
+
+StopCondition OrderSearch::part_of_deadline(double share) const {
+  StopCondition stop = options_.stop;
+  if (stop.clock != nullptr && std::isfinite(stop.deadline_s)) {
+    const double now_s = stop.clock->now_s();
+    stop.deadline_s = now_s + std::max(0.0, stop.deadline_s - now_s) * share;
+  }
+  return stop;
+}
+
+gtsp::Solution OrderSearch::solve(const LayeredGraph& graph, bool warm) const {
+  gtsp::Options options;
+  options.mode = options_.mode;
+  options.seed = options_.seed;
+  options.kind = gtsp::TourKind::kOpen;
+  options.start_vertex = graph.start_vertex();
+  options.stop = part_of_deadline(0.5);
+  options.stop.max_iterations = std::min(options.stop.max_iterations, budget_.iterations);
+  options.threads = options_.threads;
+  if (warm && !best_.empty()) options.warm_tour = graph.encode(best_);
+  return gtsp::solve(graph.instance(), options);
+}
+
+void OrderSearch::solve_graph(int levels, const char* from) {
+  GraphParams params{stop_params(task_, options_), task_.height_band_m, task_.neighbours, levels};
+  const double began = now();
+  const int most = static_cast<int>(cells_.size()) - 1;
+  for (int attempt = 0; attempt < 3 && !options_.stop.interrupted(); ++attempt) {
+    const Result<LayeredGraph> graph = LayeredGraph::build(cells_, start_, params, links_);
+    if (!graph) break;
+    const gtsp::Solution solution = solve(*graph, levels > 1);
+    statistics_.vertices = graph->statistics().vertices;
+    statistics_.edges = graph->statistics().edges;
+    statistics_.neighbours = graph->statistics().neighbours;
+    if (!solution.tour.empty()) {
+      if (levels > 1) statistics_.gtsp_cost = solution.cost;
+      offer(from, graph->decode(solution.tour));
+      break;
+    }
+    if (graph->statistics().neighbours >= most) break;
+    params.neighbours = std::min(most, graph->statistics().neighbours * 2 + 1);
+  }
+  statistics_.gtsp_wall_s += now() - began;
+}
+
+void OrderSearch::compare_with_full_graph(const GraphParams& params) {
+  GraphParams full = params;
+  full.neighbours = static_cast<int>(cells_.size());
+  const Result<LayeredGraph> graph = LayeredGraph::build(cells_, start_, full, links_);
+  if (!graph || statistics_.gtsp_cost <= 0.0) return;
+  const gtsp::Solution solution = solve(*graph, true);
+  if (!solution.tour.empty()) statistics_.full_graph_gap_percent = 100.0 * (statistics_.gtsp_cost / solution.cost - 1.0);
+}
+
+Result<Order> OrderSearch::run() {
+  const int n = static_cast<int>(cells_.size());
+  offer("strip order", boustrophedon_order(cells_, start_.position_m));
+  if (1 + 2 * n <= budget_.plain_vertices) solve_graph(1, "graph without levels");
+  if (1 + 2 * n * task_.battery.levels <= budget_.layered_vertices && task_.battery.levels > 1) {
+    solve_graph(task_.battery.levels, "layered graph");
+    if (options_.full_graph == FullGraph::kCompare) {
+      compare_with_full_graph({stop_params(task_, options_), task_.height_band_m, task_.neighbours, task_.battery.levels});
+    }
+  }
+  if (best_.empty()) {
+    return infeasible("No order of the sub-cells can be flown: the battery, " + std::to_string(start_.energy) +
+                      " at the start, does not reach the first sub-cell and a landing with the reserve.");
+  }
+  StopCondition stop = options_.stop;
+  stop.max_evaluations = std::min(stop.max_evaluations, std::max<std::uint64_t>(100, budget_.schedules / cells_.size()));
+  ImproveReport improved = improve_order(cells_, best_, start_, stops_, links_, stop);
+  statistics_.schedules_computed += improved.evaluations;
+  if (improved.end_s < best_end_s_ - 1e-6) {
+    best_ = std::move(improved.visits);
+    statistics_.order_from += " + local search";
+  }
+  return Order{std::move(best_), statistics_};
+}
+
+}  // namespace
+
+Result<Order> find_order(std::span<const SubCell> sub_cells, const ScheduleStart& start, const Task& task, const PlanOptions& options,
+                         LinkCache& links) {
+  return OrderSearch(sub_cells, start, task, options, links).run();
+}
+
+}  // namespace swallowtail::coverage

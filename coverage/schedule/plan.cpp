@@ -1,0 +1,147 @@
+#include "coverage/schedule/plan.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "coverage/schedule/expand.hpp"
+#include "coverage/schedule/order.hpp"
+#include "planner/base/checks.hpp"
+
+namespace swallowtail::coverage {
+namespace {
+
+/// Two stops and a turn at cruise speed: what one more piece costs in metres.
+constexpr double kPieceStops = 2.0;
+/// Share of the longest flight that a sub-cell may be: the rest is for getting there.
+constexpr double kLengthShare = 0.95;
+
+double piece_cost_m(const Task& task) { return task.sensor_width_m + kPieceStops * planner::kStopToTurn_s * task.vehicle.cruise_speed_mps; }
+
+/// What one battery flies straight at a height, its own take-off and landing left aside; not positive: it does not even lift.
+double longest_leg_m(const Task& task, double height_m, const StopParams& stops) {
+  const EnergyModel& model = task.battery.model;
+  const double up = height_m / task.vehicle.climb_speed_mps * model.climb_per_s;
+  const double down = height_m / task.vehicle.descent_speed_mps * model.descent_per_s;
+  const double stopping = 2.0 * planner::kStopToTurn_s * model.hover_per_s;
+  const double left = (task.battery.capacity - task.battery.reserve) / stops.energy_factor - up - down - stopping;
+  return kLengthShare * left / model.level_per_s * task.vehicle.cruise_speed_mps;
+}
+
+FieldReport report_of(const FieldCut& cut, double wall_ms) {
+  FieldReport out;
+  out.id = cut.id;
+  out.name = cut.name;
+  out.status = cut.status;
+  out.reason = cut.reason;
+  out.area_m2 = cut.area_m2;
+  out.covered_m2 = cut.covered_m2;
+  out.outside_m2 = cut.outside_m2;
+  out.sweep_rad = cut.sweep_rad;
+  out.strips = cut.strips;
+  out.cells = cut.cells;
+  out.sub_cells = static_cast<int>(cut.sub_cells.size());
+  out.beyond_tolerance = cut.beyond_tolerance;
+  out.wall_ms = wall_ms;
+  return out;
+}
+
+void add_field_totals(Plan& plan) {
+  double covered = 0.0;
+  for (const FieldReport& field : plan.fields) {
+    if (field.status == FieldStatus::kRefused) {
+      plan.status = PlanStatus::kPartial;
+      continue;
+    }
+    plan.area_m2 += field.area_m2;
+    covered += field.covered_m2;
+  }
+  plan.covered_percent = plan.area_m2 > 0.0 ? 100.0 * covered / plan.area_m2 : 0.0;
+}
+
+}  // namespace
+
+Status validate(const Task& task) {
+  if (task.fields.empty()) return bad_input("The task has no field.");
+  if (!is_positive(task.sensor_width_m)) return bad_input("The sensor width must be a positive number of metres.");
+  if (!is_non_negative(task.height_tolerance_m) || !is_non_negative(task.height_band_m)) {
+    return bad_input("Height tolerance and height band must not be negative.");
+  }
+  if (task.neighbours < 1) return bad_input("There must be at least one neighbour in the graph.");
+  if (!is_finite(task.start_m)) return bad_input("The start must be finite.");
+  if (task.sweep_rad && !is_finite(*task.sweep_rad)) return bad_input("The sweep direction must be finite.");
+  if (const Status status = validate(task.battery); !status) return status;
+  if (const Status status = validate(task.charger); !status) return status;
+  return planner::validate(task.vehicle);
+}
+
+StopParams stop_params(const Task& task, const PlanOptions& options) {
+  return {task.battery, task.charger, 1.0 + options.energy_margin, options.lead_s};
+}
+
+FieldsCut cut_fields(const Task& task, const planner::Terrain& terrain, const PlanOptions& options) {
+  FieldsCut out;
+  const StopParams stops = stop_params(task, options);
+  for (const Field& field : task.fields) {
+    const double began = options.clock != nullptr ? options.clock->now_s() : 0.0;
+    CutParams params;
+    params.sensor_width_m = task.sensor_width_m;
+    params.sweep_rad = task.sweep_rad;
+    params.piece_cost_m = piece_cost_m(task);
+    params.height_tolerance_m = task.height_tolerance_m;
+    params.clearance_m = task.vehicle.clearance_m();
+    // Over terrain a sub-cell's ends stand higher above ground than asked by the tolerance at most.
+    params.max_length_m = longest_leg_m(task, field.height_m + 2.0 * task.height_tolerance_m, stops);
+    FieldCut cut = cut_field(field, terrain, params);
+    if (cut.status == FieldStatus::kPlanned && out.sub_cells.size() + cut.sub_cells.size() > kMaxSubCells) {
+      cut.status = FieldStatus::kRefused;
+      cut.reason = "The task's fields together need more than 4096 sub-cells.";
+      cut.sub_cells.clear();
+    }
+    const double wall_ms = options.clock != nullptr ? (options.clock->now_s() - began) * 1e3 : 0.0;
+    out.reports.push_back(report_of(cut, wall_ms));
+    for (SubCell cell : cut.sub_cells) {
+      cell.id = static_cast<std::uint32_t>(out.sub_cells.size());
+      out.sub_cells.push_back(cell);
+    }
+  }
+  return out;
+}
+
+Result<Plan> plan_coverage(const Task& task, const planner::Terrain& terrain, const PlanOptions& options) {
+  const double began = options.clock != nullptr ? options.clock->now_s() : 0.0;
+  if (const Status status = validate(task); !status) return status.error();
+  if (!is_within(options.energy_margin, 0.0, 1.0) || !is_non_negative(options.lead_s)) {
+    return bad_input("The energy margin must be 0 to 1 and the lead not negative.");
+  }
+  FieldsCut cut = cut_fields(task, terrain, options);
+  Plan plan;
+  plan.fields = std::move(cut.reports);
+  plan.sub_cells = std::move(cut.sub_cells);
+  add_field_totals(plan);
+  if (plan.sub_cells.empty()) {
+    return infeasible("No field can be planned. Field '" + plan.fields.front().name + "': " + plan.fields.front().reason);
+  }
+  const FlightModel model(task.vehicle, task.battery.model, terrain);
+  LinkCache links(model, task.charger);
+  ScheduleStart start;
+  start.position_m = model.ground(task.start_m);
+  start.energy = task.battery.capacity;
+  start.robot_m = task.charger.start_m;
+  Result<Order> order = find_order(plan.sub_cells, start, task, options, links);
+  if (!order) return order.error();
+  StopPlanner stops(links, stop_params(task, options));
+  std::vector<RouteLeg> route;
+  for (const Visit& visit : order->visits) route.push_back(route_leg(plan.sub_cells[visit.sub_cell], visit));
+  const std::optional<StopPlan> schedule = stops.plan(route, start);
+  if (!schedule) return internal_error("The order found cannot be scheduled.");
+  Expansion expansion = expand(plan.sub_cells, order->visits, start, *schedule, links, 0);
+  plan.legs = std::move(expansion.legs);
+  plan.rendezvous = std::move(expansion.rendezvous);
+  add_totals(*schedule, start, plan);
+  plan.statistics = order->statistics;
+  if (options.clock != nullptr) plan.statistics.wall_s = options.clock->now_s() - began;
+  return plan;
+}
+
+}  // namespace swallowtail::coverage
