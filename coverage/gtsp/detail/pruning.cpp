@@ -1,0 +1,158 @@
+#include "coverage/gtsp/detail/pruning.hpp"
+
+#include <cstddef>
+
+namespace swallowtail::gtsp::detail {
+namespace {
+
+/// The folded instance's arcs without their costs, in one direction.
+struct Links {
+  std::vector<std::size_t> first;
+  std::vector<int> target;
+
+  template <class Visit>
+  void for_each(int v, Visit visit) const {
+    for (std::size_t i = first[static_cast<std::size_t>(v)]; i < first[static_cast<std::size_t>(v) + 1]; ++i)
+      visit(target[i]);
+  }
+};
+
+class Pruner {
+ public:
+  Pruner(const Instance& instance, const Anchor& anchor) : instance_(instance), anchor_(anchor) {
+    const auto n = static_cast<std::size_t>(instance.vertex_count());
+    result_.is_alive.assign(n + 1, 0);
+    for (int v = 0; v < instance.vertex_count(); ++v)
+      result_.is_alive[static_cast<std::size_t>(v)] = is_free(v) ? 1 : 0;
+    result_.is_alive[n] = anchor.is_used ? 1 : 0;
+    link();
+  }
+
+  Pruning run() {
+    drop_by_degree();
+    while (name_emptied_cluster(), !is_proved() && drop_unreachable()) drop_by_degree();
+    return std::move(result_);
+  }
+
+ private:
+  bool is_free(int v) const {
+    return anchor_.fixed_cluster[static_cast<std::size_t>(instance_.cluster_of(v))] == 0;
+  }
+  bool is_alive(int v) const { return result_.is_alive[static_cast<std::size_t>(v)] != 0; }
+  bool is_proved() const { return result_.emptied_cluster >= 0 || result_.is_anchor_dead; }
+  int node_count() const { return instance_.vertex_count() + 1; }
+
+  void link() {
+    const auto nodes = static_cast<std::size_t>(node_count());
+    forward_.first.assign(nodes + 1, 0);
+    backward_.first.assign(nodes + 1, 0);
+    const auto for_all = [&](auto visit) {
+      for (int u = 0; u < node_count(); ++u) {
+        if (is_alive(u)) for_each_arc(instance_, anchor_, u, [&](int v, double) { visit(u, v); });
+      }
+    };
+    for_all([&](int u, int v) {
+      ++forward_.first[static_cast<std::size_t>(u) + 1];
+      ++backward_.first[static_cast<std::size_t>(v) + 1];
+    });
+    for (std::size_t v = 0; v < nodes; ++v) {
+      forward_.first[v + 1] += forward_.first[v];
+      backward_.first[v + 1] += backward_.first[v];
+    }
+    forward_.target.resize(forward_.first.back());
+    backward_.target.resize(backward_.first.back());
+    auto next_forward = forward_.first;
+    auto next_backward = backward_.first;
+    for_all([&](int u, int v) {
+      forward_.target[next_forward[static_cast<std::size_t>(u)]++] = v;
+      backward_.target[next_backward[static_cast<std::size_t>(v)]++] = u;
+    });
+  }
+
+  bool has_living(const Links& links, int v) const {
+    bool found = false;
+    links.for_each(v, [&](int w) { found = found || is_alive(w); });
+    return found;
+  }
+
+  void drop_by_degree() {
+    std::vector<int> suspects;
+    for (int v = 0; v < node_count(); ++v) suspects.push_back(v);
+    while (!suspects.empty()) {
+      const int v = suspects.back();
+      suspects.pop_back();
+      if (!is_alive(v) || (has_living(forward_, v) && has_living(backward_, v))) continue;
+      result_.is_alive[static_cast<std::size_t>(v)] = 0;
+      const auto suspect = [&](int w) {
+        if (is_alive(w)) suspects.push_back(w);
+      };
+      forward_.for_each(v, suspect);
+      backward_.for_each(v, suspect);
+    }
+    result_.is_anchor_dead = anchor_.is_used && !is_alive(instance_.vertex_count());
+  }
+
+  void name_emptied_cluster() {
+    for (int c = 0; c < instance_.cluster_count() && result_.emptied_cluster < 0; ++c) {
+      if (anchor_.fixed_cluster[static_cast<std::size_t>(c)] != 0) continue;
+      bool has_vertex = false;
+      for (const int v : instance_.cluster(c)) has_vertex = has_vertex || is_alive(v);
+      if (!has_vertex) result_.emptied_cluster = c;
+    }
+  }
+
+  /// Living vertices of the anchor, or else of the cluster with the fewest.
+  std::vector<int> roots() const {
+    if (anchor_.is_used) return {instance_.vertex_count()};
+    std::vector<int> fewest;
+    for (int c = 0; c < instance_.cluster_count(); ++c) {
+      std::vector<int> living;
+      for (const int v : instance_.cluster(c)) {
+        if (is_alive(v)) living.push_back(v);
+      }
+      if (fewest.empty() || living.size() < fewest.size()) fewest = std::move(living);
+    }
+    return fewest;
+  }
+
+  std::vector<char> reached_from(const std::vector<int>& sources, const Links& links) const {
+    std::vector<char> is_reached(static_cast<std::size_t>(node_count()), 0);
+    std::vector<int> stack = sources;
+    for (const int v : stack) is_reached[static_cast<std::size_t>(v)] = 1;
+    while (!stack.empty()) {
+      const int v = stack.back();
+      stack.pop_back();
+      links.for_each(v, [&](int w) {
+        if (!is_alive(w) || is_reached[static_cast<std::size_t>(w)] != 0) return;
+        is_reached[static_cast<std::size_t>(w)] = 1;
+        stack.push_back(w);
+      });
+    }
+    return is_reached;
+  }
+
+  bool drop_unreachable() {
+    const std::vector<int> sources = roots();
+    const auto reached = reached_from(sources, forward_);
+    const auto reaching = reached_from(sources, backward_);
+    bool dropped = false;
+    for (std::size_t v = 0; v < result_.is_alive.size(); ++v) {
+      if (result_.is_alive[v] == 0 || (reached[v] != 0 && reaching[v] != 0)) continue;
+      result_.is_alive[v] = 0;
+      dropped = true;
+    }
+    return dropped;
+  }
+
+  const Instance& instance_;
+  const Anchor& anchor_;
+  Links forward_;
+  Links backward_;
+  Pruning result_;
+};
+
+}  // namespace
+
+Pruning prune(const Instance& instance, const Anchor& anchor) { return Pruner(instance, anchor).run(); }
+
+}  // namespace swallowtail::gtsp::detail

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <atomic>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "coverage/gtsp/detail/anchor.hpp"
+#include "coverage/gtsp/detail/bound.hpp"
+#include "coverage/gtsp/detail/incumbents.hpp"
+#include "coverage/gtsp/detail/reduced.hpp"
+#include "coverage/gtsp/detail/trial.hpp"
+
+namespace swallowtail::gtsp::detail {
+
+/// How much a mode works when nothing stops it earlier.
+struct Effort {
+  int trials = 1;
+  int warm_trials = 1;
+  double iterations_per_cluster = 0.0;  ///< of each trial
+  double exact_work = 0.0;              ///< see solve_exactly
+};
+Effort effort_of(Mode mode);
+
+/// One call of solve() with valid options.
+class Run {
+ public:
+  Run(const Instance& instance, const Options& options, const Effort& effort);
+  Solution solve();
+
+ private:
+  struct Outcome {
+    Found best;
+    std::uint64_t iterations = 0;
+  };
+
+  bool finish_trivial();
+  bool finish_unreachable();
+  bool finish_exact();
+  void finish(const Found& best, SolveStatus status, std::string reason);
+  void finish_infeasible(std::string reason);
+  std::string cluster_name(int reduced_cluster) const;
+
+  void search();
+  void run_trial(int index, Outcome& outcome);
+  WorkTour start_of(Trial& trial, int index, const Trial::Report& report) const;
+  std::optional<WorkTour> warm_start() const;
+  TrialParams params_of(int index) const;
+  int trial_count() const;
+  void consider(const WorkTour& tour, std::uint64_t iteration, int index, Outcome& outcome);
+  double progress(int index, std::uint64_t iteration, std::uint64_t most, double begin_s) const;
+  void conclude();
+  bool is_proved(double cost) const { return cost <= solution_.lower_bound + rounding_; }
+
+  const Instance& instance_;
+  const Options& options_;
+  Effort effort_;
+  Anchor anchor_;
+  Incumbents incumbents_;
+  std::optional<Reduced> reduced_;
+  bool is_warm_ = false;
+  double rounding_ = 0.0;
+  std::vector<Outcome> outcomes_;
+  std::atomic<int>
+      proved_trial_;  ///< lowest index of a trial that reached the bound: those after it are not needed
+  Solution solution_;
+};
+
+}  // namespace swallowtail::gtsp::detail

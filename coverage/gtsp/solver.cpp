@@ -1,0 +1,97 @@
+#include "coverage/gtsp/solver.hpp"
+
+#include <cmath>
+
+#include "coverage/gtsp/detail/run.hpp"
+
+namespace swallowtail::gtsp {
+namespace {
+
+Status check_vertex(const char* name, int v, const Instance& instance) {
+  if (v >= 0 && v < instance.vertex_count()) return {};
+  return bad_input(std::string(name) + " names vertex " + std::to_string(v) + "; it must be from 0 to " +
+                   std::to_string(instance.vertex_count() - 1) + ".");
+}
+
+Status check_prefix(const std::vector<int>& prefix, const Instance& instance) {
+  std::vector<char> is_visited(static_cast<std::size_t>(instance.cluster_count()), 0);
+  for (const int v : prefix) {
+    if (Status s = check_vertex("fixed_prefix", v, instance); !s) return s;
+    char& visited = is_visited[static_cast<std::size_t>(instance.cluster_of(v))];
+    if (visited != 0) {
+      return bad_input("fixed_prefix visits cluster " + std::to_string(instance.cluster_of(v)) +
+                       " again with vertex " + std::to_string(v) + "; each cluster may be visited once.");
+    }
+    visited = 1;
+  }
+  return {};
+}
+
+Status check_ends(const Options& options, const Instance& instance) {
+  if (options.start_vertex) {
+    if (Status s = check_vertex("start_vertex", *options.start_vertex, instance); !s) return s;
+    if (!options.fixed_prefix.empty() && options.fixed_prefix.front() != *options.start_vertex) {
+      return bad_input("start_vertex is " + std::to_string(*options.start_vertex) +
+                       " but fixed_prefix starts with " + std::to_string(options.fixed_prefix.front()) +
+                       "; they must agree.");
+    }
+  }
+  if (!options.end_vertex) return {};
+  if (Status s = check_vertex("end_vertex", *options.end_vertex, instance); !s) return s;
+  std::vector<int> lead = options.fixed_prefix;
+  if (lead.empty() && options.start_vertex) lead.push_back(*options.start_vertex);
+  const bool is_whole_tour = static_cast<int>(lead.size()) == instance.cluster_count();
+  for (const int v : lead) {
+    if (instance.cluster_of(v) != instance.cluster_of(*options.end_vertex)) continue;
+    if (is_whole_tour && lead.back() == *options.end_vertex) return {};
+    return bad_input("end_vertex " + std::to_string(*options.end_vertex) + " is in cluster " +
+                     std::to_string(instance.cluster_of(v)) +
+                     ", which start or prefix visits before the end; each cluster may be visited once.");
+  }
+  return {};
+}
+
+}  // namespace
+
+Status validate(const Options& options, const Instance& instance) {
+  if (instance.vertex_count() > kMaxSolverVertices) {
+    return bad_input("The instance has " + std::to_string(instance.vertex_count()) +
+                     " vertices; the search takes at most " + std::to_string(kMaxSolverVertices) + ".");
+  }
+  if (options.threads < 1 || options.threads > 256) {
+    return bad_input("threads is " + std::to_string(options.threads) + "; it must be from 1 to 256.");
+  }
+  if (std::isnan(options.stop.deadline_s)) return bad_input("stop.deadline_s is not a number.");
+  if (options.stop.clock == nullptr && std::isfinite(options.stop.deadline_s)) {
+    return bad_input("stop.deadline_s is set without stop.clock; a deadline needs a clock.");
+  }
+  if (Status s = check_prefix(options.fixed_prefix, instance); !s) return s;
+  return check_ends(options, instance);
+}
+
+const char* name_of(SolveStatus status) {
+  switch (status) {
+    case SolveStatus::kOptimal:
+      return "optimal";
+    case SolveStatus::kFeasible:
+      return "feasible";
+    case SolveStatus::kInfeasible:
+      return "infeasible";
+    case SolveStatus::kNoneFound:
+      return "none_found";
+    case SolveStatus::kInterrupted:
+      return "interrupted";
+  }
+  return "unknown";
+}
+
+Solution solve(const Instance& instance, const Options& options) {
+  if (Status s = validate(options, instance); !s) {
+    Solution refused;
+    refused.reason = s.error().message;
+    return refused;
+  }
+  return detail::Run(instance, options, detail::effort_of(options.mode)).solve();
+}
+
+}  // namespace swallowtail::gtsp

@@ -1,0 +1,100 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "coverage/gtsp/instance.hpp"
+#include "planner/base/result.hpp"
+#include "planner/base/stop.hpp"
+
+namespace swallowtail::gtsp {
+
+/// How long the search goes on when nothing else stops it; every mode ends by itself after a number of
+/// iterations.
+enum class Mode { kFast, kDefault, kSlow };
+
+/// A closed tour returns from its last vertex to its first; an open one does not.
+enum class TourKind { kClosed, kOpen };
+
+/// Largest instance the search takes: it holds one or two matrices of n×n floats (268 MB each at the limit).
+inline constexpr int kMaxSolverVertices = 8'192;
+
+/// A tour that was the best so far when it was found. Tours with missing arcs are not reported.
+struct Incumbent {
+  const std::vector<int>& tour;
+  double cost = 0.0;
+  std::uint64_t iteration = 0;  ///< of the trial that found it
+  double wall_s = 0.0;          ///< since solve began, on Options::stop.clock; 0 without a clock
+};
+
+struct Options {
+  Mode mode = Mode::kDefault;
+  std::uint64_t seed = 1;
+  /// Deadline, request to stop, and limit of iterations (one iteration = one tour taken apart and put
+  /// together = one evaluation). Stopped by iterations or by itself, a run is the same for a seed on every
+  /// machine, whatever `threads`.
+  StopCondition stop = {};
+  TourKind kind = TourKind::kClosed;
+  /// Where to begin instead of from nothing. It may miss clusters, name vertices twice or such as are not
+  /// there, and use missing arcs: what is unusable is left out, what is missing put in. The answer is never
+  /// worse than the tour so repaired.
+  std::optional<std::vector<int>> warm_tour = std::nullopt;
+  /// Vertices that open the tour in this order, of distinct clusters.
+  std::vector<int> fixed_prefix = {};
+  std::optional<int> start_vertex =
+      std::nullopt;                              ///< the first of the tour; with a prefix, the prefix's first
+  std::optional<int> end_vertex = std::nullopt;  ///< the last of the tour (before it returns, if closed)
+  /// Called for each better tour; one call at a time, from any of the threads. It must not call back into the
+  /// solver.
+  std::function<void(const Incumbent&)> on_incumbent = {};
+  int threads = 1;  ///< 1 … 256
+};
+
+/// Errors (kBadInput): an id out of range, a prefix with two vertices of a cluster, start or end against
+/// prefix, too many vertices for the search, a deadline without a clock.
+Status validate(const Options& options, const Instance& instance);
+
+enum class SolveStatus {
+  kOptimal,      ///< the tour is proved best
+  kFeasible,     ///< a tour, not proved best
+  kInfeasible,   ///< proved that there is none; `reason` says why
+  kNoneFound,    ///< the search ended without a tour; there may be one
+  kInterrupted,  ///< stop was requested; the tour, if any, is the best so far
+};
+
+const char* name_of(SolveStatus status);
+
+struct HistoryEntry {
+  double wall_s = 0.0;
+  double cost = 0.0;
+};
+
+struct Solution {
+  SolveStatus status = SolveStatus::kNoneFound;
+  /// One vertex of each cluster, in order; empty when none was found.
+  std::vector<int> tour;
+  /// Sum of the tour's arcs as the instance gives them; kNoArc without a tour.
+  double cost = kNoArc;
+  /// No tour costs less. Always valid; kNoArc when there is none.
+  double lower_bound = 0.0;
+  bool proved_optimal = false;
+  std::vector<HistoryEntry> history;             ///< cost strictly falls
+  std::uint64_t iterations = 0;                  ///< of all trials
+  std::string reason = "solve was not called.";  ///< a sentence on how it ended
+};
+
+/// Solves by ruin and recreate over the clusters' order and vertices under simulated annealing, with
+/// heuristics chosen adaptively [SMITH-IMESON] and strings removed around a cluster
+/// [CHRISTIAENS-VANDEN-BERGHE]; each promising tour's vertices are made the best for its order by dynamic
+/// programming [FISCHETTI-SALAZAR-TOTH]. Small instances are then solved exactly over subsets of clusters.
+/// Departs from the sources: missing arcs are counted and minimised before cost instead of weighing much;
+/// insertion positions are pruned by vertex-to-cluster distances; what is fixed (prefix, start, end,
+/// openness) is folded into one vertex beforehand. Options that validate refuses give kNoneFound with the
+/// error's message as reason.
+Solution solve(const Instance& instance, const Options& options);
+
+}  // namespace swallowtail::gtsp

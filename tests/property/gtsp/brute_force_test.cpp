@@ -1,0 +1,230 @@
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+
+#include "coverage/gtsp/check_tour.hpp"
+#include "coverage/gtsp/detail/anchor.hpp"
+#include "coverage/gtsp/detail/bound.hpp"
+#include "coverage/gtsp/detail/exact.hpp"
+#include "coverage/gtsp/detail/run.hpp"
+#include "coverage/gtsp/solver.hpp"
+
+namespace swallowtail::gtsp {
+namespace {
+
+enum class Form { kSparse, kMatrix, kPoints };
+
+/// A tiny problem as plain data, so that a failure prints what is needed to repeat it.
+struct Case {
+  Form form = Form::kSparse;
+  std::vector<int> cluster_sizes;
+  std::vector<ArcInput> arcs;
+  std::vector<Point> points;
+  bool is_fractional = false;
+  bool is_open = false;
+  std::vector<int> prefix;
+  std::optional<int> start;
+  std::optional<int> end;
+  std::vector<int> warm_tour;
+  bool is_warm = false;
+  int seed = 1;
+};
+
+std::ostream& operator<<(std::ostream& out, const Case& c) {
+  out << "form " << static_cast<int>(c.form) << (c.is_open ? " open" : " closed") << " sizes";
+  for (const int s : c.cluster_sizes) out << ' ' << s;
+  out << " prefix";
+  for (const int v : c.prefix) out << ' ' << v;
+  out << " start " << c.start.value_or(-1) << " end " << c.end.value_or(-1) << " warm";
+  for (const int v : c.warm_tour) out << ' ' << v;
+  out << " arcs";
+  for (const ArcInput& a : c.arcs) out << " {" << a.from << ',' << a.to << ',' << a.cost << '}';
+  for (const Point& p : c.points) out << " (" << p.x << ',' << p.y << ')';
+  return out << " seed " << c.seed;
+}
+
+int vertex_count(const Case& c) {
+  int n = 0;
+  for (const int size : c.cluster_sizes) n += size;
+  return n;
+}
+
+Instance::Clusters clusters_of(const Case& c) {
+  Instance::Clusters clusters;
+  int next = 0;
+  for (const int size : c.cluster_sizes) {
+    clusters.emplace_back();
+    for (int i = 0; i < size; ++i) clusters.back().push_back(next++);
+  }
+  return clusters;
+}
+
+Instance instance_of(const Case& c) {
+  const int n = vertex_count(c);
+  if (c.form == Form::kPoints) return Instance::from_points(clusters_of(c), c.points, Metric::kEuc2D).value();
+  if (c.form == Form::kSparse) return Instance::from_arcs(n, clusters_of(c), c.arcs).value();
+  std::vector<double> costs(static_cast<std::size_t>(n) * static_cast<std::size_t>(n), kNoArc);
+  for (const ArcInput& a : c.arcs) costs[static_cast<std::size_t>(a.from * n + a.to)] = a.cost;
+  return Instance::from_matrix(n, clusters_of(c), costs).value();
+}
+
+Options options_of(const Case& c, Mode mode) {
+  Options options;
+  options.mode = mode;
+  options.seed = static_cast<std::uint64_t>(c.seed);
+  options.kind = c.is_open ? TourKind::kOpen : TourKind::kClosed;
+  options.fixed_prefix = c.prefix;
+  options.start_vertex = c.start;
+  options.end_vertex = c.end;
+  if (c.is_warm) options.warm_tour = c.warm_tour;
+  return options;
+}
+
+TourRule rule_of(const Case& c) { return {!c.is_open, c.prefix, c.start, c.end}; }
+
+/// Cheapest tour by trying all orders and vertices; kNoArc when there is none.
+class BruteForce {
+ public:
+  BruteForce(const Instance& instance, const Case& c) : instance_(instance), rule_(rule_of(c)) {
+    for (int k = 0; k < instance.cluster_count(); ++k) order_.push_back(k);
+  }
+  double solve() {
+    do {
+      extend(0, 0.0);
+    } while (std::next_permutation(order_.begin(), order_.end()));
+    return best_;
+  }
+
+ private:
+  void extend(std::size_t depth, double cost) {
+    if (cost == kNoArc) return;
+    if (depth == order_.size()) {
+      if (rule_.start && tour_.front() != *rule_.start) return;
+      if (rule_.end && tour_.back() != *rule_.end) return;
+      const bool returns = rule_.returns_to_start && tour_.size() > 1;
+      best_ = std::min(best_, returns ? cost + instance_.cost(tour_.back(), tour_.front()) : cost);
+      return;
+    }
+    for (const int v : instance_.cluster(order_[depth])) {
+      if (depth < rule_.prefix.size() && rule_.prefix[depth] != v) continue;
+      const double arc = tour_.empty() ? 0.0 : instance_.cost(tour_.back(), v);
+      tour_.push_back(v);
+      extend(depth + 1, cost + arc);
+      tour_.pop_back();
+    }
+  }
+
+  const Instance& instance_;
+  TourRule rule_;
+  std::vector<int> order_;
+  std::vector<int> tour_;
+  double best_ = kNoArc;
+};
+
+Case draw_costs(Case c) {
+  const int n = vertex_count(c);
+  const int density = *rc::gen::element(15, 30, 50, 80, 100);
+  c.is_fractional = *rc::gen::arbitrary<bool>();
+  const bool is_symmetric = *rc::gen::inRange(0, 3) == 0;
+  for (int u = 0; u < n; ++u) {
+    c.points.push_back(
+        {static_cast<double>(*rc::gen::inRange(0, 50)), static_cast<double>(*rc::gen::inRange(0, 50))});
+    for (int v = 0; v < n; ++v) {
+      if (u == v || (is_symmetric && v > u) || *rc::gen::inRange(0, 100) >= density) continue;
+      const double cost = *rc::gen::inRange(0, 100) / (c.is_fractional ? 7.0 : 1.0);
+      c.arcs.push_back({u, v, cost});
+      if (is_symmetric) c.arcs.push_back({v, u, cost});
+    }
+  }
+  return c;
+}
+
+Case draw_rules(Case c) {
+  const auto clusters = clusters_of(c);
+  std::vector<int> order;
+  for (int k = 0; k < static_cast<int>(clusters.size()); ++k) order.push_back(k);
+  for (std::size_t i = order.size(); i > 1; --i)
+    std::swap(order[i - 1], order[*rc::gen::inRange<std::size_t>(0, i)]);
+  const auto member = [&](int k) {
+    return clusters[static_cast<std::size_t>(k)]
+                   [*rc::gen::inRange<std::size_t>(0, clusters[static_cast<std::size_t>(k)].size())];
+  };
+  c.is_open = *rc::gen::arbitrary<bool>();
+  const std::size_t fixed = *rc::gen::element<std::size_t>(0, 0, 0, 1, 2, 3);
+  for (std::size_t i = 0; i < std::min(fixed, order.size()); ++i) c.prefix.push_back(member(order[i]));
+  if (*rc::gen::arbitrary<bool>()) c.start = c.prefix.empty() ? member(order.front()) : c.prefix.front();
+  const std::size_t lead = std::max<std::size_t>(c.prefix.size(), c.start ? 1 : 0);
+  if (*rc::gen::inRange(0, 3) == 0 && lead < order.size()) c.end = member(order.back());
+  c.is_warm = *rc::gen::arbitrary<bool>();
+  const int warm = *rc::gen::inRange(0, 8);
+  for (int i = 0; c.is_warm && i < warm; ++i)
+    c.warm_tour.push_back(*rc::gen::inRange(-1, vertex_count(c) + 1));
+  return c;
+}
+
+Case draw_case() {
+  Case c;
+  c.form = *rc::gen::element(Form::kSparse, Form::kMatrix, Form::kPoints);
+  const int clusters = *rc::gen::inRange(1, 7);
+  for (int k = 0; k < clusters; ++k) c.cluster_sizes.push_back(*rc::gen::inRange(1, 4));
+  c.seed = *rc::gen::inRange(0, 1000);
+  return draw_rules(draw_costs(std::move(c)));
+}
+
+bool is_near(double a, double b) { return a == b || std::abs(a - b) <= 1e-9 * (1.0 + std::abs(b)); }
+
+RC_GTEST_PROP(Gtsp, SolvesTinyInstancesExactly, ()) {
+  const Case c = draw_case();
+  RC_LOG() << c << '\n';
+  const Instance instance = instance_of(c);
+  const double optimum = BruteForce(instance, c).solve();
+  const Solution solution = solve(instance, options_of(c, Mode::kFast));
+  if (optimum == kNoArc) {
+    RC_ASSERT(solution.status == SolveStatus::kInfeasible);
+    RC_ASSERT(solution.tour.empty());
+    return;
+  }
+  RC_ASSERT(solution.status == SolveStatus::kOptimal);
+  const auto checked = check_tour(instance, solution.tour, rule_of(c));
+  RC_ASSERT(checked.ok());
+  RC_ASSERT(is_near(checked.value(), solution.cost));
+  RC_ASSERT(is_near(solution.cost, optimum));
+  RC_ASSERT(solution.lower_bound == solution.cost);
+}
+
+/// The search alone, without the exact method behind it: never better than the optimum, never wrong about its
+/// tour, and the bound holds.
+RC_GTEST_PROP(Gtsp, SearchIsSoundAndBoundIsValid, ()) {
+  const Case c = draw_case();
+  RC_LOG() << c << '\n';
+  const Instance instance = instance_of(c);
+  const double optimum = BruteForce(instance, c).solve();
+  Options options = options_of(c, Mode::kFast);
+  options.stop.max_iterations = 300;
+  const detail::Effort search_only{
+      .trials = 2, .warm_trials = 2, .iterations_per_cluster = 100.0, .exact_work = 0.0};
+  const Solution solution = detail::Run(instance, options, search_only).solve();
+  if (solution.status == SolveStatus::kInfeasible) RC_ASSERT(optimum == kNoArc);
+  RC_ASSERT(solution.lower_bound <= optimum * (1.0 + 1e-12));
+  RC_CLASSIFY(optimum != kNoArc, "feasible");
+  RC_CLASSIFY(optimum != kNoArc && solution.tour.empty(), "missed");
+  if (solution.tour.empty()) {
+    RC_ASSERT(solution.cost == kNoArc);
+    return;
+  }
+  RC_CLASSIFY(is_near(solution.cost, optimum), "optimum found");
+  const auto checked = check_tour(instance, solution.tour, rule_of(c));
+  RC_ASSERT(checked.ok());
+  RC_ASSERT(is_near(checked.value(), solution.cost));
+  RC_ASSERT(solution.cost >= optimum || is_near(solution.cost, optimum));
+  if (solution.proved_optimal) RC_ASSERT(is_near(solution.cost, optimum));
+  if (c.is_warm) {
+    if (const auto warm = check_tour(instance, c.warm_tour, rule_of(c)); warm)
+      RC_ASSERT(solution.cost <= warm.value());
+  }
+}
+
+}  // namespace
+}  // namespace swallowtail::gtsp

@@ -1,0 +1,150 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "coverage/gtsp/check_tour.hpp"
+#include "coverage/gtsp/solver.hpp"
+#include "planner/base/rng.hpp"
+
+namespace swallowtail::gtsp {
+namespace {
+
+using testing::HasSubstr;
+
+/// Clusters of `size` vertices on a grid of `side`²; arcs only to the `reach` next in row and column, each
+/// with probability `density`, and along one hidden tour (boustrophedon) so that there is a path.
+Instance grid(int side, int size, double density, int reach, std::uint64_t seed) {
+  Rng rng(seed);
+  Instance::Clusters clusters;
+  for (int c = 0; c < side * side; ++c) {
+    clusters.emplace_back();
+    for (int i = 0; i < size; ++i) clusters.back().push_back(c * size + i);
+  }
+  std::vector<ArcInput> arcs;
+  const auto join = [&](int a, int b, double probability) {
+    for (int i = 0; i < size; ++i) {
+      for (int j = 0; j < size; ++j) {
+        if (rng.uniform() < probability) arcs.push_back({a * size + i, b * size + j, rng.uniform(1.0, 10.0)});
+      }
+    }
+  };
+  for (int row = 0; row < side; ++row) {
+    for (int column = 0; column < side; ++column) {
+      const int here = row * side + column;
+      for (int far = 1; far <= reach; ++far) {
+        if (column + far < side) join(here, here + far, density);
+        if (column + far < side) join(here + far, here, density);
+        if (row + far < side) join(here, here + far * side, density);
+        if (row + far < side) join(here + far * side, here, density);
+      }
+    }
+  }
+  int previous = -1;
+  for (int row = 0; row < side; ++row) {
+    for (int i = 0; i < side; ++i) {
+      const int here = row * side + (row % 2 == 0 ? i : side - 1 - i);
+      const int vertex = here * size + static_cast<int>(rng.below(static_cast<std::uint64_t>(size)));
+      if (previous >= 0) arcs.push_back({previous, vertex, 10.0});
+      previous = vertex;
+    }
+  }
+  return Instance::from_arcs(side * side * size, std::move(clusters), arcs).value();
+}
+
+TEST(Sparse, FindsOpenToursOverFewArcs) {
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    const Instance instance = grid(7, 6, 0.3, 2, seed);
+    const Solution solution =
+        solve(instance,
+              {.mode = Mode::kFast, .seed = seed, .stop = {.max_iterations = 8000}, .kind = TourKind::kOpen});
+    const auto checked = check_tour(instance, solution.tour, {.returns_to_start = false});
+    ASSERT_TRUE(checked.ok()) << seed << ' ' << name_of(solution.status) << ' ' << checked.error().message;
+    EXPECT_NEAR(checked.value(), solution.cost, 1e-9);
+    EXPECT_LE(solution.lower_bound, solution.cost);
+  }
+}
+
+TEST(Sparse, SolvesCoverageSizeWithinTheBudget) {
+  const Instance instance = grid(8, 20, 0.3, 3, 4);
+  const Solution cold = solve(
+      instance,
+      {.mode = Mode::kFast, .stop = {.max_iterations = 3000}, .kind = TourKind::kOpen, .start_vertex = 0});
+  ASSERT_TRUE(check_tour(instance, cold.tour, {.returns_to_start = false, .start = 0}).ok()) << cold.reason;
+  const Solution warm = solve(instance, {.mode = Mode::kFast,
+                                         .stop = {.max_iterations = 500},
+                                         .kind = TourKind::kOpen,
+                                         .warm_tour = cold.tour,
+                                         .start_vertex = 0});
+  EXPECT_LE(warm.cost, cold.cost);
+}
+
+/// Two halves that no arc joins, or joins one way only.
+Instance halves(bool one_way) {
+  std::vector<ArcInput> arcs;
+  for (int half = 0; half < 2; ++half) {
+    for (int i = 0; i < 10; ++i) {
+      for (int j = 0; j < 10; ++j) {
+        if (i != j) arcs.push_back({10 * half + i, 10 * half + j, 1.0});
+      }
+    }
+  }
+  if (one_way) arcs.push_back({3, 14, 1.0});
+  Instance::Clusters clusters;
+  for (int v = 0; v < 20; ++v) clusters.push_back({v});
+  return Instance::from_arcs(20, std::move(clusters), arcs).value();
+}
+
+TEST(Sparse, NamesTheClusterThatMakesATourImpossible) {
+  const Solution apart = solve(halves(false), {.mode = Mode::kFast});
+  EXPECT_EQ(apart.status, SolveStatus::kInfeasible);
+  EXPECT_THAT(apart.reason, HasSubstr("Cluster "));
+  EXPECT_TRUE(apart.tour.empty());
+  EXPECT_EQ(solve(halves(true), {.mode = Mode::kFast}).status, SolveStatus::kInfeasible);
+  const Solution across = solve(halves(true), {.mode = Mode::kFast, .kind = TourKind::kOpen});
+  EXPECT_TRUE(check_tour(halves(true), across.tour, {.returns_to_start = false}).ok()) << across.reason;
+  const Solution backwards =
+      solve(halves(true), {.mode = Mode::kFast, .kind = TourKind::kOpen, .start_vertex = 15});
+  EXPECT_EQ(backwards.status, SolveStatus::kInfeasible);
+}
+
+TEST(Sparse, NamesAClusterAmongThoseThatStarveForSuccessors) {
+  std::vector<ArcInput> arcs;
+  for (int leaf = 1; leaf < 20; ++leaf) {
+    arcs.push_back({0, leaf, 1.0});
+    arcs.push_back({leaf, 0, 1.0});
+  }
+  Instance::Clusters clusters;
+  for (int v = 0; v < 20; ++v) clusters.push_back({v});
+  const Instance star = Instance::from_arcs(20, std::move(clusters), arcs).value();
+  const Solution solution = solve(star, {.mode = Mode::kFast});
+  EXPECT_EQ(solution.status, SolveStatus::kInfeasible);
+  EXPECT_THAT(solution.reason, HasSubstr("cluster "));
+}
+
+TEST(Sparse, OwnsUpWhenItFindsNothing) {
+  // Petersen's graph doubled: each vertex has three neighbours, an assignment exists, but no Hamiltonian
+  // cycle does. Two copies joined by two arcs keep it beyond the exact method's reach.
+  std::vector<ArcInput> arcs;
+  const auto join = [&](int a, int b) {
+    arcs.push_back({a, b, 1.0});
+    arcs.push_back({b, a, 1.0});
+  };
+  for (int copy = 0; copy < 3; ++copy) {
+    const int base = 10 * copy;
+    for (int i = 0; i < 5; ++i) {
+      join(base + i, base + (i + 1) % 5);
+      join(base + i, base + 5 + i);
+      join(base + 5 + i, base + 5 + (i + 2) % 5);
+    }
+    join(base, (base + 10) % 30);
+  }
+  Instance::Clusters clusters;
+  for (int v = 0; v < 30; ++v) clusters.push_back({v});
+  const Instance instance = Instance::from_arcs(30, std::move(clusters), arcs).value();
+  const Solution solution = solve(instance, {.mode = Mode::kFast});
+  EXPECT_EQ(solution.status, SolveStatus::kNoneFound);
+  EXPECT_TRUE(solution.tour.empty());
+  EXPECT_EQ(solution.cost, kNoArc);
+}
+
+}  // namespace
+}  // namespace swallowtail::gtsp
