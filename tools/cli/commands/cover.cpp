@@ -1,0 +1,241 @@
+#include <algorithm>
+#include <atomic>
+#include <filesystem>
+#include <limits>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include <fmt/core.h>
+
+#include "planner/base/checks.hpp"
+#include "planner/base/clock.hpp"
+#include "tools/cli/commands.hpp"
+#include "tools/cli/cover_answer.hpp"
+#include "tools/cli/cover_check.hpp"
+#include "tools/cli/cover_task.hpp"
+#include "tools/cli/input.hpp"
+#include "tools/cli/output.hpp"
+#include "tools/cli/progress.hpp"
+
+namespace swallowtail::cli {
+namespace {
+
+struct CoverOptions {
+  Common common;
+  std::string file;
+  FieldsJob fields;
+  gtsp::Mode mode = gtsp::Mode::kFast;
+  double time_limit_s = 0.0;
+  bool compare_full_graph = false;
+  bool has_sensor_width = false;
+  std::vector<std::string> class_heights;  ///< NAME=METRES
+};
+
+/// NAME=METRES to its two sides.
+Status add_class_height(const std::string& text, std::map<std::string, double>& out) {
+  const std::size_t at = text.rfind('=');
+  double height_m = 0.0;
+  if (at == std::string::npos || at == 0 || !CLI::detail::lexical_cast(text.substr(at + 1), height_m) ||
+      !is_positive(height_m)) {
+    return bad_input(fmt::format("--class-height {}: must be NAME=METRES.", text));
+  }
+  out[text.substr(0, at)] = height_m;
+  return {};
+}
+
+coverage::PlanOptions plan_options(const CoverOptions& options, const Clock& clock, double deadline_s,
+                                   int threads) {
+  coverage::PlanOptions out;
+  out.seed = options.common.seed;
+  out.mode = options.mode;
+  out.clock = &clock;
+  out.stop.clock = &clock;
+  out.stop.deadline_s = deadline_s;
+  out.stop.stop_requested = &interrupted();
+  out.full_graph = options.compare_full_graph ? coverage::FullGraph::kCompare : coverage::FullGraph::kSkip;
+  out.threads = threads;
+  return out;
+}
+
+/// One task on its own clock; a plan that its checker refuses is no plan.
+Covered cover_one(const coverage::Task& task, const planner::Terrain& terrain,
+                  const coverage::PlanOptions& options) {
+  Covered out;
+  out.task = &task;
+  const double begin_s = options.clock->now_s();
+  auto plan = coverage::plan_coverage(task, terrain, options);
+  out.wall_s = options.clock->now_s() - begin_s;
+  if (!plan) {
+    out.reason = plan.error().message;
+    return out;
+  }
+  const std::vector<std::string> faults = check_cover(*plan, task);
+  if (!faults.empty()) {
+    out.reason = "The plan was refused by the checker: " + faults.front();
+    return out;
+  }
+  out.plan = std::move(*plan);
+  return out;
+}
+
+/// Several tasks are shared out over the threads, a single one gets them all. The same answer for any number
+/// of threads.
+std::vector<Covered> cover_all(const CoverOptions& options, const CoverJob& job, const Clock& clock,
+                               Progress& progress) {
+  const double deadline_s = options.time_limit_s > 0.0 ? clock.now_s() + options.time_limit_s
+                                                       : std::numeric_limits<double>::infinity();
+  const auto count = static_cast<int>(job.tasks.size());
+  const auto plan = plan_options(options, clock, deadline_s, count == 1 ? options.common.threads : 1);
+  std::vector<Covered> done(job.tasks.size());
+  std::atomic<int> next{0};
+  const auto work = [&] {
+    for (int i = next++; i < count; i = next++) {
+      const auto at = static_cast<std::size_t>(i);
+      if (interrupted()) {
+        done[at].task = &job.tasks[at];
+        done[at].reason = "Interrupted before this field was planned.";
+        continue;
+      }
+      done[at] = cover_one(job.tasks[at], job.terrain, plan);
+      progress.update(fmt::format("{} of {} tasks", i + 1, count));
+    }
+  };
+  std::vector<std::thread> threads;
+  for (int i = 1; i < std::min(options.common.threads, count); ++i) threads.emplace_back(work);
+  work();
+  for (std::thread& thread : threads) thread.join();
+  return done;
+}
+
+bool is_scenario(const std::string& file) {
+  const std::string extension = std::filesystem::path(file).extension().string();
+  return extension == ".yaml" || extension == ".yml";
+}
+
+std::optional<CoverJob> read_job(CoverOptions& options, Exit& exit) {
+  exit = Exit::kUsage;
+  auto job = [&]() -> std::optional<Result<CoverJob>> {
+    if (is_scenario(options.file)) {
+      const auto scenario = read_scenario_or_tell(options.file);
+      if (!scenario) return std::nullopt;
+      return job_of(*scenario, options.common.seed);
+    }
+    if (!options.has_sensor_width) return bad_input("cover: a fields file needs --sensor-width.");
+    for (const std::string& text : options.class_heights) {
+      if (const Status status = add_class_height(text, options.fields.class_heights_m); !status.ok())
+        return status.error();
+    }
+    options.fields.file = options.file;
+    options.fields.task.seed = options.common.seed;
+    return job_of(options.fields);
+  }();
+  if (!job) return std::nullopt;
+  if (!*job) {
+    exit = fail(job->error());
+    return std::nullopt;
+  }
+  return std::move(job->value());
+}
+
+Exit run_cover(CoverOptions& options) {
+  if (const Status status = check_output(options.common, {".json", ".csv", ".geojson"}); !status.ok())
+    return fail(status.error());
+  Exit exit = Exit::kDone;
+  const auto job = read_job(options, exit);
+  if (!job) return exit;
+  for (const coverage::Task& task : job->tasks) {
+    if (const Status status = coverage::validate(task); !status.ok()) return fail(status.error());
+  }
+  const SteadyClock clock;
+  const double begin_s = clock.now_s();
+  std::vector<Covered> done;
+  {
+    Progress progress("cover", options.common.quiet ? Progress::Show::kNo : Progress::Show::kYes);
+    done = cover_all(options, *job, clock, progress);
+  }
+  const CoverStatus status = interrupted() ? CoverStatus::kInterrupted : status_of(done);
+  const std::map<CoverStatus, Exit> exits = {{CoverStatus::kCertified, Exit::kDone},
+                                             {CoverStatus::kPartial, Exit::kNone},
+                                             {CoverStatus::kInfeasible, Exit::kNone},
+                                             {CoverStatus::kInterrupted, Exit::kInterrupted}};
+  return deliver(options.common, answer_of(*job, done, status, clock.now_s() - begin_s), exits.at(status));
+}
+
+void add_fields_options(CLI::App& command, CoverOptions& options) {
+  FieldsJob& fields = options.fields;
+  const std::map<std::string, FieldsJob::Split> splits = {
+      {"auto", FieldsJob::Split::kAuto}, {"one", FieldsJob::Split::kOne}, {"each", FieldsJob::Split::kEach}};
+  auto* group = command.add_option_group("fields", "For a fields file; a scenario says these itself");
+  group->add_option("--sensor-width", fields.task.sensor_width_m, "Width that the sensor sees, m")
+      ->check(CLI::PositiveNumber)
+      ->each([&options](const std::string&) { options.has_sensor_width = true; });
+  group->add_option("--height", fields.default_height_m, "Flying height above ground, m")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  group->add_option("--class-height", options.class_heights,
+                    "Height for fields of a class, NAME=METRES; repeatable");
+  group->add_option("--field", fields.field_ids, "Only this field, by id; repeatable");
+  group
+      ->add_option("--mission", fields.split,
+                   "All fields in one mission, or each in its own; auto: one within 3 km")
+      ->transform(CLI::CheckedTransformer(splits))
+      ->option_text("auto|one|each");
+  group->add_option("--sweep-deg", fields.sweep_deg,
+                    "Flying direction, counter-clockwise from east, instead of the cheapest");
+  group->add_option("--speed", fields.task.vehicle.cruise_speed_mps, "Cruise speed, m/s")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  group->add_option("--capacity", fields.task.battery.capacity, "Battery capacity, units")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  group->add_option("--reserve", fields.task.battery.reserve, "Units never used")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  group->add_option("--levels", fields.task.battery.levels, "Battery levels of the graph")
+      ->check(CLI::Range(2, 100))
+      ->capture_default_str();
+  group
+      ->add_option("--charge-s-per-unit", fields.task.battery.charge_s_per_unit, "Seconds to charge one unit")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  group->add_option("--charger-speed", fields.task.charger.speed_mps, "Speed of the ground robot, m/s")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  group->add_option("--neighbours", fields.task.neighbours, "Neighbours kept for each sub-cell")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+}
+
+}  // namespace
+
+void add_cover(CLI::App& app, Exit& exit) {
+  CLI::App* command =
+      app.add_subcommand("cover", "Plan the coverage of fields with recharging on a ground robot");
+  const auto options = std::make_shared<CoverOptions>();
+  const std::map<std::string, gtsp::Mode> modes = {
+      {"fast", gtsp::Mode::kFast}, {"default", gtsp::Mode::kDefault}, {"slow", gtsp::Mode::kSlow}};
+  command->add_option("FILE", options->file, "Scenario (.yaml), or fields (.geojson, .kml, …)")->required();
+  command->add_option("--mode", options->mode, "How long the tour search goes on: fast, default or slow")
+      ->transform(CLI::CheckedTransformer(modes))
+      ->option_text("fast|default|slow");
+  command
+      ->add_option("--time-limit", options->time_limit_s,
+                   "Stop after so many seconds with the best plan so far")
+      ->check(CLI::PositiveNumber);
+  command->add_flag("--compare-full-graph", options->compare_full_graph,
+                    "Also solve the graph with all edges, for full_graph_gap_percent");
+  add_fields_options(*command, *options);
+  add_common(*command, options->common,
+             "  swallowtail cover tests/data/missions/two_heights.yaml\n"
+             "  swallowtail cover fields.geojson --sensor-width 10 --height 25 --json\n"
+             "  swallowtail cover parcels.geojson --sensor-width 12 --field nl-3-0 -o legs.geojson\n"
+             "  -o writes .json, .csv (legs) or .geojson (legs and rendezvous)");
+  command->callback([options, &exit] { exit = run_cover(*options); });
+}
+
+}  // namespace swallowtail::cli

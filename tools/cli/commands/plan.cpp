@@ -1,0 +1,212 @@
+#include <algorithm>
+#include <atomic>
+#include <memory>
+#include <optional>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include <fmt/core.h>
+
+#include "planner/base/clock.hpp"
+#include "planner/replan/point_to_point.hpp"
+#include "tools/cli/commands.hpp"
+#include "tools/cli/input.hpp"
+#include "tools/cli/output.hpp"
+#include "tools/cli/plan_file.hpp"
+#include "tools/cli/progress.hpp"
+#include "tools/cli/statistics.hpp"
+
+namespace swallowtail::cli {
+namespace {
+
+struct PlanOptions {
+  Common common;
+  std::string scenario;
+  std::string algorithm;
+  double budget_ms = 0.0;
+  std::uint64_t evaluations = 0;
+  std::uint64_t iterations = 0;
+  int runs = 1;
+};
+
+planner::PlanRequest request_of(const PlanOptions& options, const planner::Scenario& scenario, int run) {
+  planner::PlanRequest request;
+  request.start_m = *scenario.start_m;
+  request.goal_m = *scenario.goal_m;
+  request.limits = scenario.vehicle.limits;
+  request.params.algorithm = options.algorithm.empty() ? scenario.planning.algorithm : options.algorithm;
+  request.params.waypoints = scenario.planning.waypoints;
+  request.seed = options.common.seed + static_cast<std::uint64_t>(run);
+  return request;
+}
+
+StopCondition stop_of(const PlanOptions& options, const Clock& clock) {
+  StopCondition stop;
+  stop.clock = &clock;
+  stop.stop_requested = &interrupted();
+  if (options.budget_ms > 0.0) stop.deadline_s = clock.now_s() + options.budget_ms / 1e3;
+  if (options.evaluations > 0) stop.max_evaluations = options.evaluations;
+  if (options.iterations > 0) stop.max_iterations = options.iterations;
+  return stop;
+}
+
+struct Run {
+  planner::PlanRequest request;
+  planner::PlanReport report;
+};
+
+/// All runs, over as many threads as asked for; each depends on its seed alone. Ends early when interrupted.
+Result<std::vector<Run>> run_all(const PlanOptions& options, const Scene& scene, Progress& progress) {
+  const SteadyClock clock;
+  std::vector<std::optional<Result<planner::PlanReport>>> reports(static_cast<std::size_t>(options.runs));
+  std::atomic<int> next{0};
+  const auto work = [&] {
+    for (int run = next++; run < options.runs && !interrupted(); run = next++) {
+      const auto observe = [&progress, run](const planner::PlanProgress& now) {
+        progress.update(fmt::format("run {}: {:.3f} m after {} evaluations", run + 1, now.best_length_m,
+                                    now.evaluations));
+      };
+      reports[static_cast<std::size_t>(run)] = planner::plan_path(
+          scene.world, request_of(options, scene.scenario, run), stop_of(options, clock), &clock, observe);
+    }
+  };
+  std::vector<std::thread> threads;
+  for (int i = 1; i < std::min(options.common.threads, options.runs); ++i) threads.emplace_back(work);
+  work();
+  for (std::thread& thread : threads) thread.join();
+
+  std::vector<Run> runs;
+  for (int run = 0; run < options.runs; ++run) {
+    auto& report = reports[static_cast<std::size_t>(run)];
+    if (!report) continue;
+    if (!*report) return report->error();
+    runs.push_back({request_of(options, scene.scenario, run), std::move(report->value())});
+  }
+  if (runs.empty()) return Error{Error::Code::kInterrupted, "Interrupted before the first run."};
+  return runs;
+}
+
+bool is_certified(const Run& run) { return run.report.status == planner::PlanStatus::kCertified; }
+
+/// The certified run of the shortest path; the first run when none is.
+const Run& best_of(const std::vector<Run>& runs) {
+  return *std::ranges::min_element(runs, [](const Run& a, const Run& b) {
+    if (is_certified(a) != is_certified(b)) return is_certified(a);
+    return is_certified(a) && a.report.length_m < b.report.length_m;
+  });
+}
+
+nlohmann::ordered_json statistics_json(const std::vector<Run>& runs) {
+  std::vector<double> length_m, wall_ms, first_ms;
+  for (const Run& run : runs) {
+    wall_ms.push_back(run.report.wall_ms);
+    if (!is_certified(run)) continue;
+    length_m.push_back(run.report.length_m);
+    first_ms.push_back(run.report.first_certified_ms);
+  }
+  return {{"runs", runs.size()},
+          {"certified", length_m.size()},
+          {"length_m", spread_json(length_m)},
+          {"wall_ms", spread_json(wall_ms)},
+          {"first_certified_ms", spread_json(first_ms)}};
+}
+
+std::string table_of(const planner::Scenario& scenario, const std::vector<Run>& runs) {
+  const Run& best = best_of(runs);
+  const planner::PlanReport& report = best.report;
+  std::string out = fmt::format("{}: {}\n  algorithm        {}, seed {}\n  reason           {}\n",
+                                scenario.name, planner::name(report.status), best.request.params.algorithm,
+                                best.request.seed, report.reason);
+  if (is_certified(best)) {
+    out += fmt::format(
+        "  length           {:.3f} m in {:.1f} s\n  least clearance  {:.3f} m\n  cost             {:.6f}\n",
+        report.length_m, report.duration_s, report.certificate.clearance_min_m, report.cost);
+  }
+  out += fmt::format("  evaluations      {} in {:.2f} ms, first certified after {:.2f} ms\n",
+                     report.evaluations, report.wall_ms, report.first_certified_ms);
+  if (runs.size() > 1) {
+    std::vector<double> length_m;
+    for (const Run& run : runs) {
+      if (is_certified(run)) length_m.push_back(run.report.length_m);
+    }
+    const Spread spread = spread_of(length_m);
+    out += fmt::format(
+        "  runs             {} of {} certified; length {:.3f} best, {:.3f} median, {:.3f} worst\n",
+        length_m.size(), runs.size(), spread.min, spread.median, spread.max);
+  }
+  if (is_certified(best)) {
+    out += "\n    time s        east m       north m          up m  phase\n";
+    for (const auto& w : report.path) {
+      out += fmt::format("  {:8.2f}  {:12.3f}  {:12.3f}  {:12.3f}  {}\n", w.time_s, w.position_m.x(),
+                         w.position_m.y(), w.position_m.z(), name(w.phase));
+    }
+  }
+  return out;
+}
+
+Answer answer_of(const PlanOptions& options, const planner::Scenario& scenario,
+                 const std::vector<Run>& runs) {
+  const Run& best = best_of(runs);
+  Answer answer;
+  answer.json = to_json(best.report, scenario.name, best.request);
+  if (options.runs > 1) {
+    answer.json["runs"] = nlohmann::ordered_json::array();
+    for (const Run& run : runs)
+      answer.json["runs"].push_back(to_json(run.report, scenario.name, run.request));
+    answer.json["statistics"] = statistics_json(runs);
+  }
+  answer.table = table_of(scenario, runs);
+  answer.files[".csv"] = [path = best.report.path] { return path_csv(path); };
+  answer.files[".geojson"] = [path = best.report.path, origin = scenario.origin] {
+    return path_geojson(path, origin);
+  };
+  return answer;
+}
+
+Exit run_plan(const PlanOptions& options) {
+  if (const Status status = check_output(options.common, {".json", ".csv", ".geojson"}); !status.ok())
+    return fail(status.error());
+  const auto scene = read_scene_or_tell(options.scenario);
+  if (!scene) return Exit::kUsage;
+  if (!scene->scenario.goal_m)
+    return fail(bad_input(options.scenario + ": has no goal_m; `swallowtail cover` plans fields."));
+  std::optional<Result<std::vector<Run>>> runs;
+  {
+    Progress progress("plan", options.common.quiet ? Progress::Show::kNo : Progress::Show::kYes);
+    runs = run_all(options, *scene, progress);
+  }
+  if (!*runs) return fail(runs->error());
+  Exit exit = is_certified(best_of(runs->value())) ? Exit::kDone : Exit::kNone;
+  if (interrupted()) exit = Exit::kInterrupted;
+  return deliver(options.common, answer_of(options, scene->scenario, runs->value()), exit);
+}
+
+}  // namespace
+
+void add_plan(CLI::App& app, Exit& exit) {
+  CLI::App* command = app.add_subcommand("plan", "Plan a certified path from start_m to goal_m");
+  const auto options = std::make_shared<PlanOptions>();
+  command->add_option("SCENARIO", options->scenario, "Scenario file (.yaml)")->required();
+  command->add_option("--algorithm", options->algorithm, "Optimiser, instead of the scenario's");
+  command
+      ->add_option("--budget-ms", options->budget_ms,
+                   "Stop after so many milliseconds with the best path so far")
+      ->check(CLI::PositiveNumber);
+  command->add_option("--evaluations", options->evaluations, "Stop after so many evaluations")
+      ->check(CLI::PositiveNumber);
+  command->add_option("--iterations", options->iterations, "Stop after so many iterations")
+      ->check(CLI::PositiveNumber);
+  command
+      ->add_option("--runs", options->runs,
+                   "Run with this many seeds, from --seed on, and report their statistics")
+      ->check(CLI::Range(1, 100000));
+  add_common(*command, options->common,
+             "  swallowtail plan tests/data/missions/ten_spheres.yaml\n"
+             "  swallowtail plan ten_spheres.yaml --budget-ms 20 --json\n"
+             "  swallowtail plan ten_spheres.yaml --runs 30 --threads 2 -o plan.json\n"
+             "  -o writes .json (what `check --plan` reads), .csv or .geojson");
+  command->callback([options, &exit] { exit = run_plan(*options); });
+}
+
+}  // namespace swallowtail::cli

@@ -1,0 +1,258 @@
+#include "tools/cli/cover_answer.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <numbers>
+
+#include <fmt/core.h>
+
+#include "tools/cli/geojson.hpp"
+#include "tools/cli/plan_file.hpp"
+
+namespace swallowtail::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Sums over all tasks.
+struct Totals {
+  double cost = 0.0;
+  double makespan_s = 0.0;
+  double flight_m = 0.0;
+  double wait_s = 0.0;
+  double area_m2 = 0.0;
+  double covered_m2 = 0.0;
+  double energy_min = std::numeric_limits<double>::infinity();
+  int recharges = 0;
+  long long vertices = 0;
+  std::size_t edges = 0;
+  std::size_t legs = 0;
+  double full_graph_gap_percent = -1.0;
+};
+
+Totals totals_of(const std::vector<Covered>& done) {
+  Totals out;
+  for (const Covered& one : done) {
+    if (!one.plan) continue;
+    const coverage::Plan& plan = *one.plan;
+    out.cost += plan.cost;
+    out.makespan_s += plan.makespan_s;
+    out.flight_m += plan.flight_m;
+    out.wait_s += plan.wait_s;
+    out.area_m2 += plan.area_m2;
+    out.covered_m2 += plan.area_m2 * plan.covered_percent / 100.0;
+    if (!plan.legs.empty()) out.energy_min = std::min(out.energy_min, plan.energy_min);
+    out.recharges += plan.recharges;
+    out.vertices += plan.statistics.vertices;
+    out.edges += plan.statistics.edges;
+    out.legs += plan.legs.size();
+    out.full_graph_gap_percent = std::max(out.full_graph_gap_percent, plan.statistics.full_graph_gap_percent);
+  }
+  return out;
+}
+
+const char* name_of(coverage::FieldStatus status) {
+  return status == coverage::FieldStatus::kPlanned ? "planned" : "refused";
+}
+
+Json field_json(const coverage::FieldReport& field) {
+  return {{"id", field.name},
+          {"number", field.id},
+          {"status", name_of(field.status)},
+          {"reason", field.reason},
+          {"area_m2", field.area_m2},
+          {"covered_m2", field.covered_m2},
+          {"outside_m2", field.outside_m2},
+          {"cells", field.cells},
+          {"sub_cells", field.sub_cells},
+          {"sweep_deg", field.sweep_rad * 180.0 / std::numbers::pi},
+          {"wall_ms", field.wall_ms}};
+}
+
+/// Fields of a task without a plan: nothing was measured, all are refused for the task's reason.
+Json unplanned_json(const coverage::Field& field, const std::string& reason) {
+  coverage::FieldReport report;
+  report.id = field.id;
+  report.name = field.name;
+  report.reason = reason;
+  report.area_m2 = coverage::area_m2(field.polygon);
+  return field_json(report);
+}
+
+Json leg_json(const coverage::Leg& leg, std::size_t task) {
+  return {{"task", task},
+          {"field", leg.field_id},
+          {"sub_cell", leg.sub_cell_id},
+          {"kind", leg.kind == coverage::LegKind::kCover ? "cover" : "reposition"},
+          {"from_m", to_json(leg.entry_m)},
+          {"to_m", to_json(leg.exit_m)},
+          {"height_m", leg.height_m},
+          {"width_m", leg.width_m},
+          {"transfer", coverage::name_of(leg.transfer)},
+          {"energy_before", leg.energy_before},
+          {"energy_after", leg.energy_after},
+          {"start_s", leg.start_s},
+          {"end_s", leg.end_s}};
+}
+
+Json rendezvous_json(const coverage::Rendezvous& meeting, std::size_t task) {
+  Json out = {{"task", task},
+              {"id", meeting.id},
+              {"site_m", to_json(meeting.site_m)},
+              {"arrive_s", meeting.robot_arrives_s},
+              {"land_s", meeting.land_s},
+              {"depart_s", meeting.depart_s},
+              {"charge", meeting.charge_to - meeting.energy_from},
+              {"charge_to", meeting.charge_to},
+              {"wait_s", meeting.wait_s},
+              {"carry", meeting.carry}};
+  if (meeting.carry) out["carry_to_m"] = to_json(meeting.carry_to_m);
+  return out;
+}
+
+Json document(const CoverJob& job, const std::vector<Covered>& done, CoverStatus status, double wall_s) {
+  const Totals totals = totals_of(done);
+  Json out;
+  out["scenario"] = job.name;
+  out["status"] = name(status);
+  out["reason"] = "";
+  out["tasks"] = done.size();
+  out["fields"] = Json::array();
+  Json legs = Json::array();
+  Json meetings = Json::array();
+  for (std::size_t task = 0; task < done.size(); ++task) {
+    const Covered& one = done[task];
+    if (!one.plan) {
+      if (out["reason"] == "") out["reason"] = one.reason;
+      for (const auto& field : one.task->fields) out["fields"].push_back(unplanned_json(field, one.reason));
+      continue;
+    }
+    for (const auto& field : one.plan->fields) {
+      out["fields"].push_back(field_json(field));
+      if (out["reason"] == "" && field.status == coverage::FieldStatus::kRefused)
+        out["reason"] = field.reason;
+    }
+    for (const auto& leg : one.plan->legs) legs.push_back(leg_json(leg, task));
+    for (const auto& meeting : one.plan->rendezvous) meetings.push_back(rendezvous_json(meeting, task));
+  }
+  const bool has_plan = totals.legs > 0;
+  out["covered_percent"] = totals.area_m2 > 0.0 ? 100.0 * totals.covered_m2 / totals.area_m2 : 0.0;
+  out["cost"] = has_plan ? Json(totals.cost) : Json(nullptr);
+  out["makespan_s"] = totals.makespan_s;
+  out["flight_m"] = totals.flight_m;
+  out["recharges"] = totals.recharges;
+  out["wait_s"] = totals.wait_s;
+  out["vertices"] = totals.vertices;
+  out["edges"] = totals.edges;
+  out["full_graph_gap_percent"] =
+      totals.full_graph_gap_percent < 0.0 ? Json(nullptr) : Json(totals.full_graph_gap_percent);
+  out["legs"] = std::move(legs);
+  out["rendezvous"] = std::move(meetings);
+  out["energy_min"] = has_plan ? Json(totals.energy_min) : Json(nullptr);
+  out["wall_s"] = wall_s;
+  return out;
+}
+
+std::string table_of(const CoverJob& job, const Json& json) {
+  std::string out = fmt::format("{}: {}\n", job.name, json["status"].get<std::string>());
+  out += fmt::format("  {:<22}{:<9}{:>12}{:>10}{:>9}{:>7}{:>10}{:>9}\n", "field", "status", "area m2",
+                     "covered %", "beyond %", "cells", "sub-cells", "sweep °");
+  for (const Json& field : json["fields"]) {
+    const double area = std::max(field["area_m2"].get<double>(), 1e-9);
+    out += fmt::format("  {:<22}{:<9}{:>12.1f}{:>10.2f}{:>9.2f}{:>7}{:>10}{:>9.1f}\n",
+                       field["id"].get<std::string>(), field["status"].get<std::string>(), area,
+                       100.0 * field["covered_m2"].get<double>() / area,
+                       100.0 * field["outside_m2"].get<double>() / area, field["cells"].get<int>(),
+                       field["sub_cells"].get<int>(), field["sweep_deg"].get<double>());
+    if (field["reason"] != "") out += fmt::format("    {}\n", field["reason"].get<std::string>());
+  }
+  if (json["legs"].empty()) return out;
+  out += fmt::format(
+      "  covered     {:.3f} % of the planned fields\n  makespan    {:.1f} s, {} recharges, {:.1f} s waiting "
+      "for the robot\n  flight      {:.1f} m in {} legs\n",
+      json["covered_percent"].get<double>(), json["makespan_s"].get<double>(), json["recharges"].get<int>(),
+      json["wait_s"].get<double>(), json["flight_m"].get<double>(), json["legs"].size());
+  out += fmt::format(
+      "  energy      {:.2f} left at the lowest landing\n  graph       {} vertices, {} edges\n  time        "
+      "{:.2f} s\n",
+      json["energy_min"].get<double>(), json["vertices"].get<long long>(), json["edges"].get<std::size_t>(),
+      json["wall_s"].get<double>());
+  return out;
+}
+
+std::string legs_csv(const Json& json) {
+  std::string out =
+      "task,field,sub_cell,kind,from_x_m,from_y_m,from_z_m,to_x_m,to_y_m,to_z_m,height_m,transfer,energy_"
+      "before,energy_after,start_s,end_s\n";
+  for (const Json& leg : json["legs"]) {
+    const auto& a = leg["from_m"];
+    const auto& b = leg["to_m"];
+    out += fmt::format(
+        "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", leg["task"].dump(), leg["field"].dump(),
+        leg["sub_cell"].dump(), leg["kind"].get<std::string>(), a[0].dump(), a[1].dump(), a[2].dump(),
+        b[0].dump(), b[1].dump(), b[2].dump(), leg["height_m"].dump(), leg["transfer"].get<std::string>(),
+        leg["energy_before"].dump(), leg["energy_after"].dump(), leg["start_s"].dump(), leg["end_s"].dump());
+  }
+  return out;
+}
+
+/// Written only where all tasks share one frame, or each its own origin: features of tasks in local metres
+/// would lie upon each other.
+std::string plan_geojson(const std::vector<Covered>& done) {
+  Json features = Json::array();
+  for (std::size_t task = 0; task < done.size(); ++task) {
+    if (!done[task].plan) continue;
+    GeoJsonWriter writer(done[task].task->origin);
+    for (const auto& leg : done[task].plan->legs) {
+      Json properties = leg_json(leg, task);
+      properties.erase("from_m");
+      properties.erase("to_m");
+      writer.add_line({leg.entry_m, leg.exit_m}, std::move(properties));
+    }
+    for (const auto& meeting : done[task].plan->rendezvous) {
+      Json properties = rendezvous_json(meeting, task);
+      properties["kind"] = "rendezvous";
+      properties.erase("site_m");
+      properties.erase("carry_to_m");
+      writer.add_point(meeting.site_m, std::move(properties));
+    }
+    for (const Json& feature : Json::parse(writer.text())["features"]) features.push_back(feature);
+  }
+  return Json({{"type", "FeatureCollection"}, {"features", features}}).dump(1) + "\n";
+}
+
+}  // namespace
+
+const char* name(CoverStatus status) {
+  switch (status) {
+    case CoverStatus::kCertified:
+      return "certified";
+    case CoverStatus::kPartial:
+      return "partial";
+    case CoverStatus::kInfeasible:
+      return "infeasible";
+    case CoverStatus::kInterrupted:
+      return "interrupted";
+  }
+  return "unknown";
+}
+
+CoverStatus status_of(const std::vector<Covered>& done) {
+  const auto has_plan = [](const Covered& one) { return one.plan.has_value(); };
+  const auto is_complete = [](const Covered& one) {
+    return one.plan && one.plan->status == coverage::PlanStatus::kComplete;
+  };
+  if (std::ranges::all_of(done, is_complete)) return CoverStatus::kCertified;
+  return std::ranges::any_of(done, has_plan) ? CoverStatus::kPartial : CoverStatus::kInfeasible;
+}
+
+Answer answer_of(const CoverJob& job, const std::vector<Covered>& done, CoverStatus status, double wall_s) {
+  Answer answer;
+  answer.json = document(job, done, status, wall_s);
+  answer.table = table_of(job, answer.json);
+  answer.files[".csv"] = [json = answer.json] { return legs_csv(json); };
+  answer.files[".geojson"] = [&done] { return plan_geojson(done); };
+  return answer;
+}
+
+}  // namespace swallowtail::cli

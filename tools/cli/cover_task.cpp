@@ -1,0 +1,134 @@
+#include "tools/cli/cover_task.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+#include "coverage/field/geojson.hpp"
+#include "coverage/task/fields_of.hpp"
+#include "planner/scenario/load.hpp"
+
+namespace swallowtail::cli {
+namespace {
+
+Vec3 on_ground(const planner::Terrain& terrain, const Vec2& site) {
+  return {site.x(), site.y(), terrain.height_at(site.x(), site.y())};
+}
+
+Vec2 first_corner(const coverage::Field& field) {
+  return field.polygon.outline.empty() ? Vec2(Vec2::Zero()) : field.polygon.outline.front();
+}
+
+void start_at(coverage::Task& task, const Vec3& site) {
+  task.start_m = site;
+  task.charger.start_m = site;
+}
+
+double extent_m(const std::vector<coverage::Field>& fields) {
+  Vec2 lo = Vec2::Constant(std::numeric_limits<double>::infinity());
+  Vec2 hi = -lo;
+  for (const auto& field : fields) {
+    for (const Vec2& corner : field.polygon.outline) {
+      lo = lo.cwiseMin(corner);
+      hi = hi.cwiseMax(corner);
+    }
+  }
+  return (hi - lo).maxCoeff();
+}
+
+bool is_chosen(const FieldsJob& job, const coverage::Field& field) {
+  return job.field_ids.empty() || std::ranges::find(job.field_ids, field.name) != job.field_ids.end() ||
+         std::ranges::find(job.field_ids, std::to_string(field.id)) != job.field_ids.end();
+}
+
+Result<coverage::FieldFile> read(const FieldsJob& job, coverage::FieldFrame frame) {
+  coverage::FieldFileOptions options;
+  options.frame = frame;
+  options.default_height_m = job.default_height_m;
+  options.class_heights_m = job.class_heights_m;
+  auto file = coverage::read_fields(job.file, options);
+  if (!file) return file.error();
+  coverage::FieldFile chosen;
+  chosen.origin = file->origin;
+  for (std::size_t i = 0; i < file->fields.size(); ++i) {
+    if (!is_chosen(job, file->fields[i])) continue;
+    chosen.fields.push_back(std::move(file->fields[i]));
+    if (i < file->origins.size()) chosen.origins.push_back(file->origins[i]);
+  }
+  if (chosen.fields.empty()) return not_found(job.file + ": has none of the fields asked for.");
+  return chosen;
+}
+
+}  // namespace
+
+Result<CoverJob> job_of(const planner::Scenario& scenario, std::uint64_t seed) {
+  auto terrain = planner::load_terrain(scenario);
+  if (!terrain) return terrain.error();
+  auto fields = coverage::fields_of(scenario);
+  if (!fields) return fields.error();
+  const planner::CoverageSpec& spec = *scenario.coverage;
+  const planner::EnergyRates& rates = scenario.vehicle.energy;
+
+  coverage::Task task;
+  task.vehicle_id = scenario.vehicle.id;
+  task.vehicle = scenario.vehicle.limits;
+  task.origin = fields->origin;
+  task.fields = std::move(fields->fields);
+  task.sensor_width_m = spec.sensor_width_m;
+  task.height_tolerance_m = spec.height_tolerance_m;
+  task.height_band_m = spec.height_band_m;
+  task.neighbours = spec.neighbours;
+  task.battery.capacity = spec.battery.capacity;
+  task.battery.reserve = spec.battery.reserve;
+  task.battery.levels = spec.battery.levels;
+  task.battery.charge_s_per_unit = spec.battery.charge_s_per_unit;
+  task.battery.model = {rates.level_per_s, rates.climb_per_s, rates.descent_per_s, rates.hover_per_s,
+                        rates.landed_per_s};
+  task.charger.id = spec.charger.id;
+  task.charger.speed_mps = spec.charger.speed_mps;
+  task.charger.take_off_s = spec.charger.take_off_s;
+  task.charger.landing_s = spec.charger.landing_s;
+  task.charger.start_m = on_ground(*terrain, spec.charger.start_m);
+  task.start_m = planner::start_position_m(scenario, *terrain);
+  task.seed = seed;
+  CoverJob job;
+  job.name = scenario.name;
+  job.terrain = std::move(*terrain);
+  job.tasks.push_back(std::move(task));
+  return job;
+}
+
+Result<CoverJob> job_of(const FieldsJob& fields) {
+  CoverJob job;
+  job.name = std::filesystem::path(fields.file).filename().string();
+  coverage::Task task = fields.task;
+  if (fields.sweep_deg) task.sweep_rad = *fields.sweep_deg * std::numbers::pi / 180.0;
+
+  if (fields.split != FieldsJob::Split::kEach) {
+    auto file = read(fields, coverage::FieldFrame::kShared);
+    const bool is_one = file.ok() && (fields.split == FieldsJob::Split::kOne ||
+                                      extent_m(file->fields) <= kMaxMissionExtent_m);
+    if (is_one) {
+      task.fields = std::move(file->fields);
+      task.origin = file->origin;
+      start_at(task, on_ground(job.terrain, first_corner(task.fields.front())));
+      job.tasks.push_back(std::move(task));
+      return job;
+    }
+    if (!file && fields.split == FieldsJob::Split::kOne) return file.error();
+  }
+  auto file = read(fields, coverage::FieldFrame::kPerField);
+  if (!file) return file.error();
+  for (std::size_t i = 0; i < file->fields.size(); ++i) {
+    coverage::Task one = task;
+    if (i < file->origins.size()) one.origin = file->origins[i];
+    start_at(one, on_ground(job.terrain, first_corner(file->fields[i])));
+    one.fields.push_back(std::move(file->fields[i]));
+    job.tasks.push_back(std::move(one));
+  }
+  return job;
+}
+
+}  // namespace swallowtail::cli

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "planner/path/certifier.hpp"
+#include "planner/path/path.hpp"
+#include "planner/replan/point_to_point.hpp"
+#include "planner/world/raster_file.hpp"
+
+namespace swallowtail::cli {
+
+const char* name(planner::Phase phase);
+
+/// The document of `plan`: status, figures, waypoints with times and phases.
+nlohmann::ordered_json to_json(const planner::PlanReport& report, const std::string& scenario,
+                               const planner::PlanRequest& request);
+nlohmann::ordered_json to_json(const planner::Violation& violation);
+nlohmann::ordered_json to_json(const Vec3& point);
+
+/// The timed path in such a document, wherever it was made; nothing in it is trusted. Errors (kBadInput) name
+/// the file, the place in it and the rule.
+Result<planner::TimedPath> read_plan(const std::string& path);
+Result<planner::TimedPath> parse_plan(const std::string& text, const std::string& name);
+
+std::string path_csv(const planner::TimedPath& path);
+/// One LineString with elevations; longitude and latitude around `origin`, local metres without one.
+std::string path_geojson(const planner::TimedPath& path, const std::optional<planner::GeoOrigin>& origin);
+
+}  // namespace swallowtail::cli
