@@ -1,0 +1,16 @@
+# cmake -DCXX=compiler -DINCLUDE=folder -DOUT=file.cpp -DIDL=a.idl;b.idl -P embed_idl.cmake
+# Writes a C++ file with the preprocessed text of each IDL file (includes resolved, comments gone, no # lines).
+set(text "#include \"tools/record/contract_text.hpp\"\n\n#include <array>\n\nnamespace swallowtail::record {\nnamespace {\n\n")
+set(table)
+foreach(file IN LISTS IDL)
+  get_filename_component(family ${file} NAME_WE)
+  execute_process(COMMAND ${CXX} -x c++ -E -P -I ${INCLUDE} ${file} OUTPUT_VARIABLE idl RESULT_VARIABLE code)
+  if(NOT code EQUAL 0)
+    message(FATAL_ERROR "cannot preprocess ${file}")
+  endif()
+  string(APPEND text "constexpr char k_${family}[] = R\"IDL(${idl})IDL\";\n\n")
+  string(APPEND table "    IdlText{\"${family}\", k_${family}},\n")
+endforeach()
+string(APPEND text "constexpr std::array kTexts{\n${table}};\n\n}  // namespace\n\n")
+string(APPEND text "std::span<const IdlText> contract_texts() { return kTexts; }\n\n}  // namespace swallowtail::record\n")
+file(WRITE ${OUT} "${text}")
