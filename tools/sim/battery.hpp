@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstdint>
+
+#include "planner/base/rng.hpp"
+#include "planner/base/vec.hpp"
+#include "planner/scenario/scenario.hpp"
+
+namespace swallowtail::sim {
+
+/// What the aircraft does, as far as its battery minds.
+struct Load {
+  bool on_ground = true;
+  Vec3 velocity_mps = Vec3::Zero();  ///< over ground
+  double charge_rate = 0.0;          ///< units per second from the plug
+};
+
+/// The battery's true state. Power is the energy model's for the phase × (1 + wind + noise):
+/// - phase: landed; hover when it stands still aloft; else climb or descent and level in the shares of
+/// vertical and level speed;
+/// - wind: (|air speed| − |ground speed|) / cruise speed, at least −0.5; the wind's speed deviates by gusts;
+/// - noise: a slow wander of standard deviation `battery_noise`.
+/// Gusts and noise are first-order autoregressive, drawn once per step whatever the aircraft does, so that a
+/// seed gives one weather.
+class Battery {
+ public:
+  Battery(const planner::Scenario& scenario, double capacity, std::uint64_t seed);
+
+  void advance(const Load& load, double duration_s);
+  /// Energy that is gone at once.
+  void lose(double energy);
+
+  double energy() const { return energy_; }
+  double capacity() const { return capacity_; }
+  /// Units per second over the last step, positive when discharging.
+  double power() const { return power_; }
+  double least_energy() const { return least_energy_; }
+  bool empty() const { return energy_ <= 0.0; }
+  Vec3 wind_mps() const;
+
+ private:
+  double model_power(const Load& load) const;
+  double wind_share(const Load& load) const;
+  void wander(double duration_s);
+
+  const planner::EnergyRates rates_;
+  const planner::WindSpec wind_;
+  const double noise_;
+  const double cruise_speed_mps_;
+  const double capacity_;
+  Rng rng_;
+  double gust_ = 0.0;   ///< −1 … 1
+  double drift_ = 0.0;  ///< standard normal
+  double energy_;
+  double least_energy_;
+  double power_ = 0.0;
+};
+
+}  // namespace swallowtail::sim
