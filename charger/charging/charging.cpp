@@ -14,7 +14,8 @@ namespace {
 constexpr double kDockingHeight_m = 2.0;
 /// So much more must be asked of a vehicle that is ready before charging starts again.
 constexpr double kRecharge = 1.0;
-/// The last bit is charged over so many steps, so that a late reaction of the vehicle's side does not overshoot.
+/// The last bit is charged over so many steps, so that a late reaction of the vehicle's side does not
+/// overshoot.
 constexpr double kTaperSteps = 2.0;
 constexpr std::size_t kMaxDeliveries = 1024;
 
@@ -76,7 +77,8 @@ const State& Charging::step(double time_s, const Inputs& inputs) {
   if (!(duration_s >= 0.0)) return state_;
   state_.time_s = time_s;
   account_for_delivery(inputs, duration_s);
-  vehicle_has_flown_ = vehicle_has_flown_ || is_flying(inputs) || (inputs.vehicle && inputs.vehicle->legs_done > 0);
+  vehicle_has_flown_ =
+      vehicle_has_flown_ || is_flying(inputs) || (inputs.vehicle && inputs.vehicle->legs_done > 0);
 
   if (service_ == Service::kNone && inputs.vehicle && inputs.vehicle->docked_here) adopt_vehicle(inputs);
   if (service_ != Service::kNone && is_flying(inputs)) finish();
@@ -98,7 +100,8 @@ void Charging::account_for_delivery(const Inputs& inputs, double duration_s) {
   state_.energy_delivered += state_.charge_rate * duration_s;
   deliveries_.push_back({state_.time_s, state_.energy_delivered});
   const double known_s = inputs.battery ? inputs.battery->time_s : -std::numeric_limits<double>::infinity();
-  while (deliveries_.size() > kMaxDeliveries || (deliveries_.size() > 1 && deliveries_[1].time_s <= known_s)) {
+  while (deliveries_.size() > kMaxDeliveries ||
+         (deliveries_.size() > 1 && deliveries_[1].time_s <= known_s)) {
     deliveries_.pop_front();
   }
 }
@@ -118,7 +121,8 @@ double Charging::missing_energy(const Inputs& inputs) const {
 }
 
 bool Charging::is_behind(const Meeting& meeting, const Inputs& inputs) const {
-  if (inputs.vehicle && inputs.vehicle->legs_done > 0 && meeting.id < 2 * (inputs.vehicle->legs_done - 1)) return true;
+  if (inputs.vehicle && inputs.vehicle->legs_done > 0 && meeting.id < 2 * (inputs.vehicle->legs_done - 1))
+    return true;
   if (!last_done_) return false;
   if (meeting.id != last_done_->id) return meeting.id < last_done_->id;
   return orders_.revision == last_done_revision_ || is_near(meeting.site_m, last_done_->site_m);
@@ -133,7 +137,8 @@ const Meeting* Charging::next_meeting(const Inputs& inputs) const {
   for (const Meeting& meeting : orders_.meetings) {
     const bool behind = is_behind(meeting, inputs);
     // A vehicle that came back to a place it had left is served again once newer orders say so.
-    if (waits_for_us(meeting, inputs) && (!behind || orders_.revision != last_done_revision_)) return &meeting;
+    if (waits_for_us(meeting, inputs) && (!behind || orders_.revision != last_done_revision_))
+      return &meeting;
     if (next == nullptr && !behind) next = &meeting;
   }
   return next;
@@ -184,7 +189,8 @@ void Charging::take_on_board(const Meeting& meeting) {
 void Charging::adopt_vehicle(const Inputs& inputs) {
   drive_ = Drive(inputs.vehicle->position_m);
   const Meeting* next = next_meeting(inputs);
-  const bool ours = next != nullptr && (next->carry_to_m || is_near(next->site_m, inputs.vehicle->position_m));
+  const bool ours =
+      next != nullptr && (next->carry_to_m || is_near(next->site_m, inputs.vehicle->position_m));
   current_ = Meeting();
   if (ours) current_ = *next;
   state_.meeting_id = current_.id;

@@ -9,10 +9,12 @@
 #include "planner/base/result.hpp"
 #include "planner/base/vec.hpp"
 
-/// What a ground robot does with its orders: drive to where the vehicle will land, take it on board, charge it, carry it if asked, let it go, drive on. No clock, no middleware.
+/// What a ground robot does with its orders: drive to where the vehicle will land, take it on board, charge
+/// it, carry it if asked, let it go, drive on. No clock, no middleware.
 namespace swallowtail::charger {
 
-/// One meeting with the vehicle. Ids grow along the plan: 2·i at the exit of leg i, 2·i + 1 at the entry of leg i + 1.
+/// One meeting with the vehicle. Ids grow along the plan: 2·i at the exit of leg i, 2·i + 1 at the entry of
+/// leg i + 1.
 struct Meeting {
   std::uint32_t id = 0;
   Vec3 site_m = Vec3::Zero();
@@ -74,14 +76,16 @@ struct State {
   double charge_rate = 0.0;       ///< units per second from now on
   double energy_delivered = 0.0;  ///< units in all
   Activity activity = Activity::kIdle;
-  std::uint32_t meeting_id = 0;   ///< the one under way
+  std::uint32_t meeting_id = 0;  ///< the one under way
   std::uint32_t meetings_done = 0;
   std::uint32_t orders_revision = 0;
 };
 
-/// The robot. Every step looks at the newest orders, so that a meeting that moves, changes or vanishes is followed at once; a vehicle on board is served to the end even if its meeting has vanished.
+/// The robot. Every step looks at the newest orders, so that a meeting that moves, changes or vanishes is
+/// followed at once; a vehicle on board is served to the end even if its meeting has vanished.
 /// - The next meeting is the first one ahead, unless the vehicle stands on the ground at another one.
-/// - With the vehicle on board: `landing_s` of handling, charging up to `charge_to` (and carrying meanwhile), `take_off_s` of handling, READY until it flies.
+/// - With the vehicle on board: `landing_s` of handling, charging up to `charge_to` (and carrying meanwhile),
+/// `take_off_s` of handling, READY until it flies.
 /// - A robot that starts late takes on where the vehicle says it is on board.
 class Charging {
  public:
@@ -91,7 +95,8 @@ class Charging {
   /// Takes effect with the next step. Errors leave the old orders in force.
   Status set_orders(Orders orders);
 
-  /// Goes on to mission time `time_s`; a time before the last one changes nothing. At most one change of activity that waits for nothing else happens per call.
+  /// Goes on to mission time `time_s`; a time before the last one changes nothing. At most one change of
+  /// activity that waits for nothing else happens per call.
   const State& step(double time_s, const Inputs& inputs);
 
   const State& state() const { return state_; }
@@ -127,7 +132,7 @@ class Charging {
   Drive drive_;
   State state_;
   Service service_ = Service::kNone;
-  Meeting current_;               ///< while service_ is not kNone
+  Meeting current_;  ///< while service_ is not kNone
   double handling_until_s_ = 0.0;
   std::deque<Delivery> deliveries_;  ///< since the newest battery sample, and the one before it
   bool vehicle_has_flown_ = false;

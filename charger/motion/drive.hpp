@@ -8,12 +8,14 @@ namespace swallowtail::charger {
 /// How near to a site the robot counts as standing on it.
 inline constexpr double kArrival_m = 0.05;
 
-/// The ground robot's motion: straight over the ground at no more than its speed, stopping and turning at will. Distances are level ones; its height follows the straight line to the target.
+/// The ground robot's motion: straight over the ground at no more than its speed, stopping and turning at
+/// will. Distances are level ones; its height follows the straight line to the target.
 class Drive {
  public:
   explicit Drive(const Vec3& start_m) : position_m_(start_m) {}
 
-  /// Moves towards `target_m` for `duration_s` at up to `speed_mps` and stands exactly on it once reached. Negative or non-finite arguments move nothing.
+  /// Moves towards `target_m` for `duration_s` at up to `speed_mps` and stands exactly on it once reached.
+  /// Negative or non-finite arguments move nothing.
   void advance(const Vec3& target_m, double speed_mps, double duration_s);
   void stop() { speed_mps_ = 0.0; }
 

@@ -39,8 +39,10 @@ Status ChargerParticipant::subscribe() {
   Bus* bus = &bus_;
   const Clock* wall = &clock_;
   const auto inbox = inbox_;
-  Status done = bus_.subscribe<data::MissionClock>(
-      {.on_sample = [inbox, wall](const data::MissionClock& clock) { inbox->time.update(clock, wall->now_s()); }});
+  Status done =
+      bus_.subscribe<data::MissionClock>({.on_sample = [inbox, wall](const data::MissionClock& clock) {
+        inbox->time.update(clock, wall->now_s());
+      }});
   if (!done) return done;
   done = bus_.subscribe<data::ChargerPlan>(
       {.on_sample = [inbox, bus, charger_id = options_.charger_id](const data::ChargerPlan& plan) {
@@ -52,15 +54,17 @@ Status ChargerParticipant::subscribe() {
     const std::uint32_t ours = inbox->vehicle_id.load();
     return ours != 0 && vehicle_id != ours;
   };
-  done = bus_.subscribe<data::VehicleState>({.on_sample = [inbox, bus, is_stranger](const data::VehicleState& state) {
-    if (is_stranger(state.vehicle_id)) return bus->count_rejection("VehicleState", "unknown vehicle");
-    inbox->vehicle.put(state);
-  }});
+  done = bus_.subscribe<data::VehicleState>(
+      {.on_sample = [inbox, bus, is_stranger](const data::VehicleState& state) {
+        if (is_stranger(state.vehicle_id)) return bus->count_rejection("VehicleState", "unknown vehicle");
+        inbox->vehicle.put(state);
+      }});
   if (!done) return done;
-  return bus_.subscribe<data::BatteryState>({.on_sample = [inbox, bus, is_stranger](const data::BatteryState& state) {
-    if (is_stranger(state.vehicle_id)) return bus->count_rejection("BatteryState", "unknown vehicle");
-    inbox->battery.put(state);
-  }});
+  return bus_.subscribe<data::BatteryState>(
+      {.on_sample = [inbox, bus, is_stranger](const data::BatteryState& state) {
+        if (is_stranger(state.vehicle_id)) return bus->count_rejection("BatteryState", "unknown vehicle");
+        inbox->battery.put(state);
+      }});
 }
 
 void ChargerParticipant::take_plan(double time_s) {
@@ -82,7 +86,8 @@ void ChargerParticipant::take_plan(double time_s) {
     }
   }
   if (charging_ && time_s < charging_->state().time_s - kRestart_s) {
-    if (auto anew = Charging::make(orders_, options_.delays, time_s)) charging_.emplace(std::move(anew).value());
+    if (auto anew = Charging::make(orders_, options_.delays, time_s))
+      charging_.emplace(std::move(anew).value());
     inputs_ = {};
   }
 }

@@ -19,15 +19,18 @@ namespace swallowtail::charger {
 
 struct ParticipantOptions {
   std::uint32_t charger_id = 1;
-  std::vector<Delay> delays;
-  double publish_period_s = 0.05;  ///< wall time between two ChargerStates; changes of activity or charge rate are published at once
+  std::vector<Delay> delays{};
+  double publish_period_s = 0.05;  ///< wall time between two ChargerStates; changes of activity or charge
+                                   ///< rate are published at once
 };
 
-/// Joins Charging to the wire: reads ChargerPlan, VehicleState, BatteryState and MissionClock, writes ChargerState and ParticipantStatus.
-/// It publishes no ChargerState before the first plan for its charger, because only a plan says where the robot stands. A mission clock that starts anew starts the robot anew.
+/// Joins Charging to the wire: reads ChargerPlan, VehicleState, BatteryState and MissionClock, writes
+/// ChargerState and ParticipantStatus. It publishes no ChargerState before the first plan for its charger,
+/// because only a plan says where the robot stands. A mission clock that starts anew starts the robot anew.
 class ChargerParticipant {
  public:
-  static Result<std::unique_ptr<ChargerParticipant>> make(Bus& bus, const Clock& clock, ParticipantOptions options);
+  static Result<std::unique_ptr<ChargerParticipant>> make(Bus& bus, const Clock& clock,
+                                                          ParticipantOptions options);
 
   /// Takes what has arrived, moves the robot to the present mission time and publishes what is due.
   Status step();

@@ -8,13 +8,20 @@ data::Vec3 to_data(const Vec3& v) { return {.x_m = v.x(), .y_m = v.y(), .z_m = v
 
 data::ChargerActivity to_data(Activity activity) {
   switch (activity) {
-    case Activity::kIdle: return data::ChargerActivity::kIdle;
-    case Activity::kDriving: return data::ChargerActivity::kDriving;
-    case Activity::kWaiting: return data::ChargerActivity::kWaiting;
-    case Activity::kCharging: return data::ChargerActivity::kCharging;
-    case Activity::kCarrying: return data::ChargerActivity::kCarrying;
-    case Activity::kReady: return data::ChargerActivity::kReady;
-    case Activity::kDelayed: return data::ChargerActivity::kDelayed;
+    case Activity::kIdle:
+      return data::ChargerActivity::kIdle;
+    case Activity::kDriving:
+      return data::ChargerActivity::kDriving;
+    case Activity::kWaiting:
+      return data::ChargerActivity::kWaiting;
+    case Activity::kCharging:
+      return data::ChargerActivity::kCharging;
+    case Activity::kCarrying:
+      return data::ChargerActivity::kCarrying;
+    case Activity::kReady:
+      return data::ChargerActivity::kReady;
+    case Activity::kDelayed:
+      return data::ChargerActivity::kDelayed;
   }
   return data::ChargerActivity::kIdle;
 }

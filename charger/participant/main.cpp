@@ -1,4 +1,5 @@
 #include <CLI/CLI.hpp>
+#include <cstdint>
 #include <cstdio>
 #include <sstream>
 #include <string>
@@ -31,13 +32,20 @@ bool parse_delay(const std::string& text, swallowtail::charger::Delay& delay) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("The ground robot: drives to the rendezvous of its ChargerPlan, charges the vehicle and carries it.");
-  int domain = 0;
+  CLI::App app(
+      "The ground robot: drives to the rendezvous of its ChargerPlan, charges the vehicle and carries it.");
+  std::uint32_t domain = 0;
   swallowtail::charger::ParticipantOptions options;
   std::vector<std::string> delays;
-  app.add_option("--domain", domain, "DDS domain")->check(CLI::Range(0, 232))->capture_default_str();
-  app.add_option("--charger", options.charger_id, "which charger this is")->check(CLI::Range(1U, 1'000'000U))->capture_default_str();
-  app.add_option("--delay", delays, "AT_S:SECONDS of mission time in which it does not drive; may be repeated")
+  app.add_option("--domain", domain, "DDS domain")
+      ->check(CLI::Range(0U, swallowtail::kMaxDomain))
+      ->capture_default_str();
+  app.add_option("--charger", options.charger_id, "which charger this is")
+      ->check(CLI::Range(1U, 1'000'000U))
+      ->capture_default_str();
+  app.add_option("--delay", delays,
+                 "AT_S:SECONDS of mission time in which it does not drive; may be repeated")
+      ->allow_extra_args(false)
       ->check([&options](const std::string& text) {
         swallowtail::charger::Delay delay;
         return parse_delay(text, delay) ? std::string() : "'" + text + "' is not AT_S:SECONDS, as in 120:45";
@@ -54,7 +62,7 @@ int main(int argc, char** argv) {
 
   const swallowtail::StopSignals stop;
   const swallowtail::SteadyClock clock;
-  auto bus = swallowtail::make_cyclone_bus({.domain = domain});
+  auto bus = swallowtail::make_cyclone_bus({.domain = domain, .participant_name = "swallowtail-charger"});
   if (!bus) {
     std::fprintf(stderr, "swallowtail-charger: %s\n", bus.error().message.c_str());
     return kExitFailed;

@@ -7,9 +7,10 @@
 
 namespace swallowtail {
 
-/// What mission time it is now, from MissionClock samples and this process's own wall clock. Safe to call from any thread.
-/// Between samples the time runs on at the clock's rate, for at most kCoast_s of wall time: a clock that falls silent stands still.
-/// It does not go back when a sample comes late; a clock that starts anew (more than kRestart_s of wall time behind) is followed.
+/// What mission time it is now, from MissionClock samples and this process's own wall clock. Safe to call
+/// from any thread. Between samples the time runs on at the clock's rate, for at most kCoast_s of wall time:
+/// a clock that falls silent stands still. It does not go back when a sample comes late; a clock that starts
+/// anew (more than kRestart_s of wall time behind) is followed.
 class MissionTime {
  public:
   static constexpr double kCoast_s = 1.0;

@@ -7,7 +7,8 @@
 
 namespace swallowtail {
 
-/// Percentiles of the newest `capacity` values, and the greatest of all. Memory is taken at construction only; safe to call from any thread.
+/// Percentiles of the newest `capacity` values, and the greatest of all. Memory is taken at construction
+/// only; safe to call from any thread.
 class Percentiles {
  public:
   struct Summary {
@@ -23,7 +24,8 @@ class Percentiles {
   /// Values that are not finite are left out.
   void add(double value);
 
-  /// Nearest rank: the least value with at least the given share of the window at or below it. All zero while empty.
+  /// Nearest rank: the least value with at least the given share of the window at or below it. All zero while
+  /// empty.
   Summary summary() const;
 
  private:

@@ -8,7 +8,8 @@
 
 namespace swallowtail {
 
-/// Calls `step()` every `period_s` of wall time until it returns false or a stop is requested. A step that overruns is followed by the next one at once; missed calls are not made up for.
+/// Calls `step()` every `period_s` of wall time until it returns false or a stop is requested. A step that
+/// overruns is followed by the next one at once; missed calls are not made up for.
 template <class Step>
 void run_loop(const StopSignals& stop, double period_s, Step&& step) {
   const SteadyClock clock;

@@ -74,7 +74,8 @@ bool StopSignals::wait_for(double seconds) const {
   if (requested() || !(seconds > 0.0)) return requested();
   timespec timeout = {};
   timeout.tv_sec = static_cast<time_t>(std::floor(std::fmin(seconds, 86400.0)));
-  timeout.tv_nsec = static_cast<long>((std::fmin(seconds, 86400.0) - static_cast<double>(timeout.tv_sec)) * 1e9);
+  timeout.tv_nsec =
+      static_cast<long>((std::fmin(seconds, 86400.0) - static_cast<double>(timeout.tv_sec)) * 1e9);
   pollfd wake_end = {.fd = g_wake_read, .events = POLLIN, .revents = 0};
   ppoll(&wake_end, 1, &timeout, nullptr);
   return requested();

@@ -4,8 +4,9 @@
 
 namespace swallowtail {
 
-/// Turns SIGINT and SIGTERM into a flag and a wake-up while it lives; SIGPIPE is ignored. The second signal ends the process at once (exit 130).
-/// One per process at a time; make it before any thread starts, so that system calls of those threads are restarted, not failed.
+/// Turns SIGINT and SIGTERM into a flag and a wake-up while it lives; SIGPIPE is ignored. The second signal
+/// ends the process at once (exit 130). One per process at a time; make it before any thread starts, so that
+/// system calls of those threads are restarted, not failed.
 class StopSignals {
  public:
   StopSignals();

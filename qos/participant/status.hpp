@@ -21,12 +21,14 @@ struct StatusOptions {
   double period_s = 0.5;             ///< wall time between two samples
 };
 
-/// Publishes this participant's ParticipantStatus: health, what the bus counted, replans and latency percentiles. All but `step` may be called from any thread.
+/// Publishes this participant's ParticipantStatus: health, what the bus counted, replans and latency
+/// percentiles. All but `step` may be called from any thread.
 class StatusPublisher {
  public:
   static Result<std::unique_ptr<StatusPublisher>> make(Bus& bus, const Clock& clock, StatusOptions options);
 
-  /// A change of health is published by the next `step`, due or not. At most 256 characters of the message are sent.
+  /// A change of health is published by the next `step`, due or not. At most 256 characters of the message
+  /// are sent.
   void set_health(data::Health health, std::string_view message = {});
 
   void count_replan() { replans_.fetch_add(1, std::memory_order_relaxed); }

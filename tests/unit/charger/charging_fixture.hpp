@@ -8,7 +8,8 @@
 
 namespace swallowtail::charger {
 
-/// The other side of a Charging: a vehicle that lands where it is told to, is charged at the robot's rate and reports with a delay of one step.
+/// The other side of a Charging: a vehicle that lands where it is told to, is charged at the robot's rate and
+/// reports with a delay of one step.
 struct Partner {
   Vec3 position_m = Vec3::Zero();
   VehicleActivity activity = VehicleActivity::kOnGround;
@@ -78,8 +79,9 @@ inline Orders two_meetings() {
   orders.charge_s_per_unit = 2.0;
   orders.landing_s = 5.0;
   orders.take_off_s = 3.0;
-  orders.meetings = {Meeting{.id = 0, .site_m = Vec3(40, 0, 0), .charge_to = 80.0, .carry_to_m = {}},
-                     Meeting{.id = 3, .site_m = Vec3(40, 60, 0), .charge_to = 100.0, .carry_to_m = Vec3(0, 60, 0)}};
+  orders.meetings = {
+      Meeting{.id = 0, .site_m = Vec3(40, 0, 0), .charge_to = 80.0, .carry_to_m = {}},
+      Meeting{.id = 3, .site_m = Vec3(40, 60, 0), .charge_to = 100.0, .carry_to_m = Vec3(0, 60, 0)}};
   return orders;
 }
 

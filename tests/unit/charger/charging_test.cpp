@@ -253,7 +253,8 @@ TEST(Charging, RefusesEachSenselessOrder) {
   EXPECT_TRUE(refused([](Orders& o) { o.take_off_s = -1.0; }));
   EXPECT_TRUE(refused([](Orders& o) { o.start_m.x() = std::numeric_limits<double>::infinity(); }));
   EXPECT_TRUE(refused([](Orders& o) { o.meetings[1].charge_to = -1.0; }));
-  EXPECT_TRUE(refused([](Orders& o) { o.meetings[1].carry_to_m->y() = std::numeric_limits<double>::quiet_NaN(); }));
+  EXPECT_TRUE(
+      refused([](Orders& o) { o.meetings[1].carry_to_m->y() = std::numeric_limits<double>::quiet_NaN(); }));
 }
 
 TEST(Charging, IgnoresTimeThatGoesBack) {
