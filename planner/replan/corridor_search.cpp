@@ -9,8 +9,8 @@
 namespace swallowtail::planner {
 namespace {
 
-/// Half width of the box in units of the natural one, by round.
-constexpr std::array kSpreads{1.0, 1.0, 2.0, 1.0, 4.0, 1.5};
+/// Size of the box in units of the natural one, by round.
+constexpr std::array kBoxFactors{1.0, 1.0, 2.0, 1.0, 4.0, 1.5};
 /// A better path must be better by this share to be offered again.
 constexpr double kGain = 1e-6;
 constexpr std::uint64_t kDescentEvaluations = 400;
@@ -39,9 +39,9 @@ class Search {
     best_ = x;
   }
 
-  Result<bool> round(const swarm::AnyParams& params, double spread, std::uint64_t seed,
+  Result<bool> round(const swarm::AnyParams& params, double factor, std::uint64_t seed,
                      std::uint64_t evaluations, const std::vector<Eigen::VectorXd>& guesses) {
-    const swarm::Problem problem = problem_.in_box(spread);
+    const swarm::Problem problem = problem_.in_box(factor);
     swarm::RunOptions options;
     options.stop = stop_;
     options.stop.max_evaluations = std::min(evaluations, left());
@@ -87,11 +87,10 @@ Result<CorridorReport> search_corridor(const DetourProblem& problem, const Corri
   const swarm::AnyParams swarm_params = swarm::with_population(*algorithm, params.population);
   const auto round_evaluations =
       static_cast<std::uint64_t>(params.population) * static_cast<std::uint64_t>(params.iterations_per_round);
-  const double natural = problem.natural_spread();
 
   Search search(problem, stop, accept);
   int idle = 0;
-  for (int round = 0; round < params.max_rounds && idle < params.idle_rounds; ++round) {
+  for (int round = 0; round < params.max_rounds; ++round) {
     if (search.left() == 0 || stop.reached(search.evaluations(), 0)) break;
     const double before = search.accepted();
     std::vector<Eigen::VectorXd> starts;
@@ -100,12 +99,14 @@ Result<CorridorReport> search_corridor(const DetourProblem& problem, const Corri
     } else if (search.found()) {
       starts.push_back(search.best());
     }
-    const double spread = natural * kSpreads[static_cast<std::size_t>(round) % kSpreads.size()];
+    const double factor = kBoxFactors[static_cast<std::size_t>(round) % kBoxFactors.size()];
     Result<bool> done =
-        search.round(swarm_params, spread, seed + 0x9e3779b9ULL * static_cast<std::uint64_t>(round),
+        search.round(swarm_params, factor, seed + 0x9e3779b9ULL * static_cast<std::uint64_t>(round),
                      round_evaluations, starts);
     if (!done) return done.error();
-    if (search.found()) idle = search.accepted() < before * (1.0 - 1e-4) ? 0 : idle + 1;
+    if (!search.found()) continue;
+    idle = search.accepted() < before * (1.0 - 1e-4) ? 0 : idle + 1;
+    if (idle >= params.idle_rounds) break;
   }
   return CorridorReport{stop.interrupted(), search.evaluations(),
                         search.found() ? 0.0 : search.least_violation_m()};

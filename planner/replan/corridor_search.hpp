@@ -19,7 +19,7 @@ struct CorridorParams {
   /// Of the swarm in each round, times the population; the descent comes on top. Ours.
   int iterations_per_round = 30;
   int max_rounds = 1'000'000;
-  /// Rounds without a gain of 0.01 % after which a search that has an answer ends.
+  /// Rounds without a gain of 0.01 % after which a search that has an answer ends; 0: with the first answer.
   int idle_rounds = 12;
 };
 

@@ -31,25 +31,37 @@ DetourProblem::DetourProblem(const ObstacleField& field, const VehicleLimits& li
       waypoints_(waypoints),
       objective_(objective),
       distance_m_(std::max((ends.to_m - ends.from_m).norm(), kSamePlace_m)),
-      frame_(frame_along(ends.to_m - ends.from_m)) {}
+      frame_(frame_along(ends.to_m - ends.from_m)) {
+  size_box();
+}
 
-double DetourProblem::natural_spread() const {
-  double spread = 0.25;
+void DetourProblem::size_box() {
+  constexpr double kLeast = 0.25;
+  constexpr double kRoom = 1.6;
+  constexpr double kHigherThanWide = 1.5;
+  spread_ = kLeast;
+  rise_ = kLeast;
   const double flight_s = distance_m_ / limits_.cruise_speed_mps;
   for (std::size_t i = 0; i < field_.size(); ++i) {
     if (!field_.near(i, ends_.from_m, ends_.from_time_s, ends_.to_m, ends_.from_time_s + flight_s, 0.0))
       continue;
-    const double width = 2.0 * (field_.ball_radius_m(i) + field_.required_m(i));
-    spread = std::max(spread, width / distance_m_);
+    const auto reach = [&](Eigen::Index axis) {
+      const Vec3 direction = frame_.col(axis);
+      const double off = std::abs(direction.dot(field_.ball_center_m(i, ends_.from_time_s) - ends_.from_m));
+      const double drift = field_.moves(i) ? field_.required_m(i) : 0.0;
+      return kRoom * (off + drift + field_.half_width_m(i, direction) + field_.required_m(i)) / distance_m_;
+    };
+    spread_ = std::max(spread_, reach(1));
+    rise_ = std::max(rise_, reach(2));
   }
-  return spread;
+  rise_ = std::min(rise_, kHigherThanWide * spread_);
 }
 
-swarm::Problem DetourProblem::in_box(double spread) const {
+swarm::Problem DetourProblem::in_box(double factor) const {
   swarm::Problem problem;
-  const double along = 0.5 * spread;
-  problem.lower = Vec3(-along, -spread, -spread).replicate(waypoints_, 1);
-  problem.upper = Vec3(1.0 + along, spread, spread).replicate(waypoints_, 1);
+  const Vec3 half(0.5 * factor * std::min(spread_, rise_), factor * spread_, factor * rise_);
+  problem.lower = Vec3(-half).replicate(waypoints_, 1);
+  problem.upper = Vec3(half + Vec3::UnitX()).replicate(waypoints_, 1);
   problem.waypoints = swarm::WaypointLayout{Vec3::Zero(), Vec3::UnitX()};
   problem.evaluate = [this](swarm::Candidates x, swarm::Costs costs) {
     for (Eigen::Index i = 0; i < x.cols(); ++i) costs[i] = value(cost(x.col(i)));
@@ -101,7 +113,7 @@ void DetourProblem::fly(Progress& progress, const Vec3& to) const {
     }
   }
   const double climb = d.z() > 0.0 ? d.z() / limits_.climb_speed_mps : -d.z() / limits_.descent_speed_mps;
-  const bool vertical = std::hypot(d.x(), d.y()) <= kSamePlace_m;
+  const bool vertical = d.head<2>().norm() <= kSamePlace_m;
   const double duration = vertical ? climb : std::max(climb, length / limits_.cruise_speed_mps);
   progress.cost.violation_m +=
       field_.violation_m(progress.at, progress.time_s, to, progress.time_s + duration) +
@@ -118,7 +130,7 @@ DetourProblem::Cost DetourProblem::cost(const Eigen::Ref<const Eigen::VectorXd>&
   for (Eigen::Index i = 0; i <= waypoints_; ++i) {
     const Vec3 to = i < waypoints_ ? decode(x, i) : ends_.to_m;
     const Vec3 d = to - progress.at;
-    const double level = std::hypot(d.x(), d.y());
+    const double level = d.head<2>().norm();
     if (std::abs(d.z()) > steepest * level * (1.0 + 1e-9) && level > kSamePlace_m) {
       const bool up = d.z() > 0.0;
       const Vec3 corner =

@@ -37,10 +37,10 @@ class DetourProblem {
   DetourProblem(const ObstacleField& field, const VehicleLimits& limits, const DetourEnds& ends,
                 int waypoints, DetourObjective objective);
 
-  /// The optimiser's form; it borrows this. `spread` is the half width of the box as a share of D.
-  swarm::Problem in_box(double spread) const;
-  /// A spread that leaves room round the obstacles near the straight line.
-  double natural_spread() const;
+  /// The optimiser's form; it borrows this. The box is the natural one, widened by a factor: wide enough to
+  /// pass the obstacles near the straight line on either side, and above or below those that are not much
+  /// higher than wide.
+  swarm::Problem in_box(double factor) const;
 
   int waypoints() const { return waypoints_; }
   double distance_m() const { return distance_m_; }
@@ -65,6 +65,7 @@ class DetourProblem {
  private:
   struct Progress;
   void fly(Progress& progress, const Vec3& to) const;
+  void size_box();
 
   const ObstacleField& field_;
   VehicleLimits limits_;
@@ -73,6 +74,8 @@ class DetourProblem {
   DetourObjective objective_;
   double distance_m_;
   Eigen::Matrix3d frame_;
+  double spread_ = 0.0;  ///< half width of the natural box along e2, as a share of D
+  double rise_ = 0.0;    ///< the same along e3
 };
 
 /// `count` points that follow the polyline evenly, its corners first of all: fewer corners than points are

@@ -36,6 +36,9 @@ const std::array<Vec3, ObstacleField::kDirections>& directions() {
   return kTable;
 }
 
+/// Without std::hypot's care for overflow, which costs ten times as much.
+double length(double a, double b) { return std::sqrt(a * a + b * b); }
+
 /// A rectangle |u| ≤ hu, |v| ≤ hv: signed distance and its gradient.
 double rectangle_distance(double u, double v, double hu, double hv, double& gu, double& gv) {
   const double du = std::abs(u) - hu;
@@ -45,7 +48,7 @@ double rectangle_distance(double u, double v, double hu, double hv, double& gu, 
   const double su = u < 0.0 ? -1.0 : 1.0;
   const double sv = v < 0.0 ? -1.0 : 1.0;
   if (du > 0.0 && dv > 0.0) {
-    const double d = std::hypot(du, dv);
+    const double d = length(du, dv);
     gu = su * du / d;
     gv = sv * dv / d;
     return d;
@@ -59,7 +62,7 @@ double rectangle_distance(double u, double v, double hu, double hv, double& gu, 
 }
 
 double cylinder_distance(const Vec3& p, double radius, double height, Vec3& normal) {
-  const double r = std::hypot(p.x(), p.y());
+  const double r = length(p.x(), p.y());
   double gr = 0.0;
   double gz = 0.0;
   const double d = rectangle_distance(r, p.z() - 0.5 * height, radius, 0.5 * height, gr, gz);
@@ -68,7 +71,7 @@ double cylinder_distance(const Vec3& p, double radius, double height, Vec3& norm
 }
 
 double cone_distance(const Vec3& p, double radius, double height, Vec3& normal) {
-  const double r = std::hypot(p.x(), p.y());
+  const double r = length(p.x(), p.y());
   const Vec2 q(r, p.z());
   const Vec2 base(std::min(r, radius), 0.0);
   const Vec2 slant(-radius, height);
@@ -142,6 +145,7 @@ ObstacleField::ObstacleField(std::shared_ptr<const World> world, const VehicleLi
     solid.cos_yaw = std::cos(yaw);
     solid.sin_yaw = std::sin(yaw);
     const Extent box = extent(obstacle.shape);
+    solid.half_extent_m = 0.5 * (box.max_m - box.min_m);
     solid.ball_offset_m = 0.5 * (box.min_m + box.max_m);
     solid.ball_radius_m = std::min(0.5 * (box.max_m - box.min_m).norm(),
                                    bounding_radius_m(obstacle.shape) + solid.ball_offset_m.norm());
@@ -153,6 +157,10 @@ ObstacleField::ObstacleField(std::shared_ptr<const World> world, const VehicleLi
 Vec3 ObstacleField::ball_center_m(std::size_t i, double time_s) const {
   const Solid& solid = solids_[i];
   return solid.position_m + solid.velocity_mps * time_s + solid.ball_offset_m;
+}
+
+double ObstacleField::half_width_m(std::size_t i, const Vec3& direction) const {
+  return std::min(solids_[i].ball_radius_m, solids_[i].half_extent_m.dot(direction.cwiseAbs()));
 }
 
 double ObstacleField::mesh_distance(const Solid& solid, const Vec3& p, Vec3& normal) const {

@@ -41,6 +41,8 @@ class ObstacleField {
   /// Centre and radius of a ball that holds obstacle i at that time.
   Vec3 ball_center_m(std::size_t i, double time_s) const;
   double ball_radius_m(std::size_t i) const { return solids_[i].ball_radius_m; }
+  /// Greatest distance of obstacle i's points from its ball's centre along a unit direction.
+  double half_width_m(std::size_t i, const Vec3& direction) const;
 
   /// Depth by which the flight from a at t0_s to b at t1_s breaks the distance to obstacle i; 0 if it keeps
   /// it.
@@ -69,6 +71,7 @@ class ObstacleField {
     double required_m = 0.0;
     Vec3 ball_offset_m = Vec3::Zero();
     double ball_radius_m = 0.0;
+    Vec3 half_extent_m = Vec3::Zero();
     double radius_m = 0.0;
     double height_m = 0.0;
     Vec3 half_m = Vec3::Zero();

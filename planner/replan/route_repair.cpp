@@ -64,28 +64,33 @@ bool RouteRepair::point_blocked(const TimedRoute& timed, double time_s, double m
 }
 
 Blockage RouteRepair::find_blockage(const TimedRoute& timed, const Violation& violation) const {
+  const TimedPath& path = timed.path;
+  const std::size_t segment = std::min(std::max<std::size_t>(violation.segment, 1), path.size() - 1);
+  const TimedWaypoint& a = path[segment - 1];
+  const TimedWaypoint& b = path[segment];
   Blockage blockage;
   blockage.obstacle_id = violation.kind == ViolationKind::kObstacle ? violation.obstacle_id : 0;
+  blockage.on_cover = b.phase == Phase::kCover;
+  double blocked_s = std::clamp(violation.time_s, a.time_s, b.time_s);
+  // The certifier tells the worst of a segment; another obstacle may come before it.
   for (std::size_t i = 0; i < field_.size(); ++i) {
-    if (field_.id(i) == blockage.obstacle_id && blockage.obstacle_id != 0) {
-      blockage.moves = field_.moves(i) || std::isfinite(world_->obstacles()[i].valid_until_s);
-    }
+    if (field_.violation_m(i, a.position_m, a.time_s, b.position_m, b.time_s) <= 0.0) continue;
+    const Approach approach = field_.approach(i, a.position_m, a.time_s, b.position_m, b.time_s);
+    const double nearest_s = a.time_s + approach.fraction * (b.time_s - a.time_s);
+    if (field_.id(i) != blockage.obstacle_id && nearest_s >= blocked_s) continue;
+    blocked_s = std::min(blocked_s, nearest_s);
+    blockage.obstacle_id = field_.id(i);
+    blockage.moves = field_.moves(i) || std::isfinite(world_->obstacles()[i].valid_until_s);
   }
   const double step_s = std::max(0.25 * limits_.clearance_m(), 0.05) / limits_.cruise_speed_mps;
   const double margin_m = 0.02 * limits_.clearance_m();
-  const TimedPath& path = timed.path;
-  const std::size_t segment = std::min(std::max<std::size_t>(violation.segment, 1), path.size() - 1);
-  const double lo_s = path[segment - 1].time_s;
-  const double hi_s = path[segment].time_s;
-  double begins_s = std::clamp(violation.time_s, lo_s, hi_s);
-  // The violation may be told where it is worst: walk back to where it begins, then on to where it ends.
+  double begins_s = blocked_s;
   while (begins_s > path.front().time_s && point_blocked(timed, begins_s, margin_m)) begins_s -= step_s;
-  double ends_s = std::max(begins_s, std::clamp(violation.time_s, lo_s, hi_s));
+  double ends_s = blocked_s;
   const double end_s = timed.end_time_s();
   while (ends_s <= end_s && point_blocked(timed, ends_s, margin_m)) ends_s += step_s;
   blockage.begins_s = std::max(begins_s, path.front().time_s);
   blockage.ends_s = ends_s > end_s ? kInfinity : ends_s;
-  blockage.on_cover = path[segment].phase == Phase::kCover;
   return blockage;
 }
 
@@ -93,8 +98,8 @@ std::optional<RouteRepair::Candidate> RouteRepair::judge(const TimedRoute& timed
                                                          const Splice& change) const {
   Candidate candidate{splice(timed, change, limits_), 0.0, change.wait_s};
   const Spliced& spliced = candidate.spliced;
-  const std::size_t from = spliced.leave_index > 0 ? spliced.leave_index - 1 : 0;
-  // One waypoint more, so that the stop and the turn at the rejoined point are judged too.
+  const std::size_t first = std::min(frontier_, spliced.leave_index);
+  const std::size_t from = first > 0 ? first - 1 : 0;
   if (first_violation(spliced.timed.path, from, spliced.rejoin_index)) return std::nullopt;
   candidate.rejoin_s = spliced.timed.path[spliced.rejoin_index].time_s;
   return candidate;
@@ -199,7 +204,7 @@ std::optional<RouteRepair::Candidate> RouteRepair::try_detour(const TimedRoute& 
   search.population = params_.population;
   search.iterations_per_round = 12;
   search.max_rounds = 3;
-  search.idle_rounds = 1;
+  search.idle_rounds = 0;
   std::vector<std::vector<Vec3>> guesses;
   if (std::vector<Vec3> way = previous_way(ends.from_m, ends.to_m); !way.empty()) {
     guesses.push_back(resample(ends.from_m, std::move(way), ends.to_m, params_.detour_waypoints));
@@ -227,13 +232,14 @@ std::optional<RouteRepair::Candidate> RouteRepair::try_detour(const TimedRoute& 
   return best;
 }
 
-bool RouteRepair::repair_stretch(TimedRoute& timed, std::size_t& frontier, const Violation& violation) {
+bool RouteRepair::repair_stretch(TimedRoute& timed, const Violation& violation) {
   const Blockage blockage = find_blockage(timed, violation);
-  double earliest_s = timed.path[frontier].time_s;
+  double airborne_s = timed.path.front().time_s;
   for (std::size_t i = 1; i < timed.path.size() && timed.path[i].phase == Phase::kTakeOff; ++i) {
-    earliest_s = std::max(earliest_s, timed.path[i].time_s);
+    airborne_s = timed.path[i].time_s;
   }
-  const bool in_take_off = blockage.begins_s < earliest_s && frontier == 0;
+  double earliest_s = std::max(timed.path[frontier_].time_s, airborne_s);
+  const bool in_take_off = blockage.begins_s < earliest_s && frontier_ == 0;
   std::optional<Candidate> waiting =
       try_wait(timed, blockage, in_take_off ? timed.path.front().time_s : earliest_s);
   std::optional<Candidate> detour;
@@ -243,6 +249,8 @@ bool RouteRepair::repair_stretch(TimedRoute& timed, std::size_t& frontier, const
     // After two attempts the ground is taken to be as steep as it gets anywhere.
     if (attempt == 2 && !world_->terrain().is_flat()) field_.set_slope_share(1.0);
     detour = try_detour(timed, blockage, earliest_s, attempt);
+    // Where the way on from the last repair is shut, that repair itself is replaced.
+    earliest_s = airborne_s;
   }
   field_.set_slope_share(slope_share_);
   if (!waiting && !detour) {
@@ -262,15 +270,15 @@ bool RouteRepair::repair_stretch(TimedRoute& timed, std::size_t& frontier, const
     ++detours_;
     skipped_cover_m_ += chosen.spliced.skipped_cover_m;
   }
-  frontier = chosen.spliced.rejoin_index;
+  frontier_ = chosen.spliced.rejoin_index;
   timed = std::move(chosen.spliced.timed);
   return true;
 }
 
 bool RouteRepair::repair(TimedRoute& timed) {
-  std::size_t frontier = 0;
+  frontier_ = 0;
   for (int stretch = 0; stretch <= Replanner::kMaxStretches; ++stretch) {
-    const std::size_t from = frontier > 0 ? frontier - 1 : 0;
+    const std::size_t from = frontier_ > 0 ? frontier_ - 1 : 0;
     const std::optional<Violation> violation = first_violation(timed.path, from, timed.path.size() - 1);
     if (!violation) return true;
     blocked_ = *violation;
@@ -281,7 +289,7 @@ bool RouteRepair::repair(TimedRoute& timed) {
       out_of_time_ = true;
       return false;
     }
-    if (!repair_stretch(timed, frontier, *violation)) return false;
+    if (!repair_stretch(timed, *violation)) return false;
   }
   return false;
 }

@@ -50,7 +50,7 @@ class RouteRepair {
 
   bool point_blocked(const TimedRoute& timed, double time_s, double margin_m) const;
   Blockage find_blockage(const TimedRoute& timed, const Violation& violation) const;
-  bool repair_stretch(TimedRoute& timed, std::size_t& frontier, const Violation& violation);
+  bool repair_stretch(TimedRoute& timed, const Violation& violation);
   std::optional<Candidate> try_wait(const TimedRoute& timed, const Blockage& blockage, double earliest_s);
   std::optional<Candidate> try_detour(const TimedRoute& timed, const Blockage& blockage, double earliest_s,
                                       int attempt);
@@ -66,6 +66,7 @@ class RouteRepair {
   const StopCondition& stop_;
   const TimedPath& previous_;
   ObstacleField field_;
+  std::size_t frontier_ = 0;  ///< index in the path up to which it is certified
   double slope_share_ = 0.15;
   Violation blocked_;
   bool goal_is_blocked_ = false;

@@ -118,10 +118,10 @@ inline double distance(const Obstacle& o, const Vec3& point, double time_s) {
     // The nearest of many points of the profile: no formula shared with anyone.
     if (p.z() >= 0.0 && p.z() <= c->height_m && r <= c->radius_m * (1.0 - p.z() / c->height_m)) return 0.0;
     double best = 1e9;
-    for (int k = 0; k <= 400; ++k) {
-      const double s = k / 400.0;
-      best = std::min(best, std::hypot(r - c->radius_m * (1.0 - s), p.z() - c->height_m * s));
-      best = std::min(best, std::hypot(r - c->radius_m * s, p.z()));
+    for (int k = 0; k <= 200; ++k) {
+      const double s = k / 200.0;
+      best = std::min(best, Vec2(r - c->radius_m * (1.0 - s), p.z() - c->height_m * s).norm());
+      best = std::min(best, Vec2(r - c->radius_m * s, p.z()).norm());
     }
     return best;
   }
