@@ -1,0 +1,32 @@
+#include "coverage/maintain/live_plan.hpp"
+
+#include <algorithm>
+
+namespace swallowtail::coverage {
+
+LivePlan live_plan(const Plan& plan) {
+  LivePlan out;
+  out.legs = plan.legs;
+  out.rendezvous = plan.rendezvous;
+  out.end_s = plan.makespan_s;
+  out.area_m2 = plan.area_m2;
+  out.complete = plan.status == PlanStatus::kComplete;
+  if (!out.complete) {
+    const auto refused = std::find_if(plan.fields.begin(), plan.fields.end(), [](const FieldReport& f) { return f.status == FieldStatus::kRefused; });
+    if (refused != plan.fields.end()) out.reason = "field " + std::to_string(refused->id) + " refused: " + refused->reason;
+  }
+  return out;
+}
+
+void shift_times(LivePlan& plan, std::size_t first_leg, double delay_s) {
+  for (std::size_t i = first_leg; i < plan.legs.size(); ++i) {
+    plan.legs[i].start_s = std::max(0.0, plan.legs[i].start_s + delay_s);
+    plan.legs[i].end_s = std::max(plan.legs[i].start_s, plan.legs[i].end_s + delay_s);
+  }
+  for (Rendezvous& meeting : plan.rendezvous) {
+    for (double* time : {&meeting.robot_arrives_s, &meeting.land_s, &meeting.arrive_by_s, &meeting.depart_s}) *time = std::max(0.0, *time + delay_s);
+  }
+  plan.end_s += delay_s;
+}
+
+}  // namespace swallowtail::coverage

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "coverage/schedule/plan.hpp"
+
+namespace swallowtail::coverage {
+
+/// The plan in force. Legs before legs_done are flown and never change; indexes are stable.
+struct LivePlan {
+  std::uint32_t revision = 1;
+  std::string reason = "first plan";
+  std::vector<Leg> legs;
+  std::vector<Rendezvous> rendezvous;  ///< those ahead, the one under way included
+  std::size_t legs_done = 0;
+  double end_s = 0.0;        ///< predicted last landing
+  double area_m2 = 0.0;
+  bool complete = true;      ///< everything is flown or ahead
+  double battery_time_s = 0.0;  ///< basis
+  double battery_energy = 0.0;
+  double vehicle_time_s = 0.0;
+};
+
+LivePlan live_plan(const Plan& plan);
+
+/// Takes the aircraft's legs and meetings that are not over by `delay_s` later (or earlier).
+void shift_times(LivePlan& plan, std::size_t first_leg, double delay_s);
+
+}  // namespace swallowtail::coverage

@@ -1,0 +1,248 @@
+#include "coverage/maintain/plan_keeper.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace swallowtail::coverage {
+namespace {
+
+constexpr double kAtSite_m = 1.5;
+constexpr double kSettled_s = 1.0;       ///< on the ground before it counts as landed somewhere
+constexpr double kShiftEvery_s = 30.0;
+constexpr double kRetryEvery_s = 5.0;
+constexpr double kWorseShare = 0.01;     ///< of the capacity: a slack that fell by less since the last solution is no news
+constexpr double kGapOverlap_m = 0.5;
+constexpr double kLeastSortie = 20.0;    ///< energy of a sortie from which consumption is learnt
+constexpr double kMostBias = 1.25;
+constexpr double kLossRatio = 1.4;       ///< more than this is a loss, not consumption
+
+double flat_distance(const Vec3& a, const Vec3& b) { return (a - b).head<2>().norm(); }
+
+}  // namespace
+
+Result<PlanKeeper> PlanKeeper::make(Task task, planner::Terrain terrain, KeeperParams params) {
+  const Result<Plan> plan = plan_coverage(task, terrain, params.planning);
+  if (!plan) return plan.error();
+  return PlanKeeper(std::move(task), std::move(terrain), params, live_plan(*plan), plan->fields);
+}
+
+PlanKeeper::PlanKeeper(Task task, planner::Terrain terrain, KeeperParams params, LivePlan plan, std::vector<FieldReport> fields)
+    : task_(std::move(task)), terrain_(std::move(terrain)), params_(params), plan_(std::move(plan)), fields_(std::move(fields)) {
+  for (const Leg& leg : plan_.legs) next_id_ = std::max(next_id_, leg.sub_cell_id + 1);
+  plan_.battery_energy = task_.battery.capacity;
+}
+
+double PlanKeeper::energy_now() const {
+  if (!battery_) return task_.battery.capacity;
+  if (!vehicle_ || vehicle_->on_ground()) return battery_->energy;
+  return battery_->energy - std::max(0.0, vehicle_->time_s - battery_->time_s) * task_.battery.model.level_per_s;
+}
+
+bool PlanKeeper::covers(std::size_t leg) const {
+  if (!vehicle_ || vehicle_->on_ground() || leg >= plan_.legs.size() || vehicle_->leg_index != leg) return false;
+  if (plan_.legs[leg].kind != LegKind::kCover) return false;
+  const StripTrack line(plan_.legs[leg], {0.5, task_.height_tolerance_m, 0.5, task_.vehicle.cruise_speed_mps});
+  const double along = line.along_m(vehicle_->position_m);
+  return line.on_line(vehicle_->position_m) && along > 0.1 && along < line.length_m();
+}
+
+std::optional<FlightCost> PlanKeeper::to_next_landing() const {
+  if (!vehicle_ || vehicle_->on_ground()) return std::nullopt;
+  const FlightModel flight = model();
+  const std::size_t first = plan_.legs_done;
+  const bool has_meeting = !plan_.rendezvous.empty();
+  const std::size_t last = has_meeting ? plan_.rendezvous.front().id / 2 : plan_.legs.size() - 1;
+  const bool at_entry = has_meeting && plan_.rendezvous.front().id % 2 == 1;
+  FlightCost cost;
+  Vec3 at = vehicle_->position_m;
+  std::optional<Vec3> direction;
+  if (vehicle_->velocity_mps.head<2>().norm() > 0.5) direction = vehicle_->velocity_mps;
+  for (std::size_t i = first; i <= last && i < plan_.legs.size(); ++i) {
+    const Leg& leg = plan_.legs[i];
+    if (i == first && covers(i)) {
+      cost += flight.level((leg.exit_m - at).norm());
+    } else {
+      cost += flight.transfer(at, leg.entry_m, {direction, leg.exit_m - leg.entry_m}) + flight.level((leg.exit_m - leg.entry_m).norm());
+    }
+    at = leg.exit_m;
+    direction = leg.exit_m - leg.entry_m;
+  }
+  if (at_entry && last + 1 < plan_.legs.size()) return cost + flight.transfer_and_land(at, direction, plan_.legs[last + 1].entry_m);
+  return cost + flight.landing(at);
+}
+
+std::optional<double> PlanKeeper::energy_at_next_landing() const {
+  const auto cost = to_next_landing();
+  if (!cost) return std::nullopt;
+  return energy_now() - cost->energy * bias_;
+}
+
+bool PlanKeeper::at_meeting(const Vec3& position_m) const {
+  return std::any_of(plan_.rendezvous.begin(), plan_.rendezvous.end(), [&](const Rendezvous& meeting) {
+    return flat_distance(meeting.site_m, position_m) < kAtSite_m || (meeting.carry && flat_distance(meeting.carry_to_m, position_m) < kAtSite_m);
+  });
+}
+
+/// The aircraft has left the ground: what lay before is over.
+void PlanKeeper::pass_meeting(const Vec3& from_m) {
+  for (std::size_t i = 0; i < plan_.rendezvous.size(); ++i) {
+    const Rendezvous& meeting = plan_.rendezvous[i];
+    if (flat_distance(meeting.carry ? meeting.carry_to_m : meeting.site_m, from_m) > 2.0 * kAtSite_m) continue;
+    if (meeting.id / 2 > plan_.legs_done) break;
+    plan_.rendezvous.erase(plan_.rendezvous.begin(), plan_.rendezvous.begin() + static_cast<std::ptrdiff_t>(i) + 1);
+    break;
+  }
+}
+
+void PlanKeeper::finish_leg(std::size_t leg) {
+  if (!track_ || tracked_leg_ != leg) return;
+  const Leg flown = plan_.legs[leg];
+  const double length = track_->length_m();
+  for (const Gap& gap : track_->gaps()) {
+    int& tries = tries_[flown.sub_cell_id];
+    if (tries >= params_.gap_tries || length < 1e-6) {
+      unflown_m_ += gap.to_m - gap.from_m;
+      plan_.complete = false;
+      continue;
+    }
+    const Vec3 along = (flown.exit_m - flown.entry_m) / length;
+    Leg piece = flown;
+    piece.sub_cell_id = next_id_++;
+    piece.entry_m = flown.entry_m + along * std::max(0.0, gap.from_m - kGapOverlap_m);
+    piece.exit_m = flown.entry_m + along * std::min(length, gap.to_m + kGapOverlap_m);
+    piece.transfer = Transfer::kFF;
+    tries_[piece.sub_cell_id] = tries + 1;
+    gaps_.push_back(piece);
+  }
+}
+
+void PlanKeeper::follow_progress(const AircraftView& vehicle) {
+  const std::size_t done = std::min(vehicle.legs_done, plan_.legs.size());
+  while (plan_.legs_done < done) {
+    if (track_ && tracked_leg_ == plan_.legs_done) track_->add(vehicle.time_s, vehicle.position_m);
+    finish_leg(plan_.legs_done);
+    ++plan_.legs_done;
+    track_.reset();
+  }
+  // A meeting before a leg that is flown is over, whether it was kept or not.
+  std::erase_if(plan_.rendezvous, [&](const Rendezvous& meeting) { return meeting.id / 2 + 1 < plan_.legs_done; });
+  if (vehicle.on_ground() || vehicle.leg_index != plan_.legs_done || plan_.legs_done >= plan_.legs.size()) return;
+  const Leg& leg = plan_.legs[plan_.legs_done];
+  if (leg.kind != LegKind::kCover) return;
+  if (!track_ || tracked_leg_ != plan_.legs_done) {
+    track_.emplace(leg, TrackParams{0.5, std::max(0.5, task_.height_tolerance_m), 0.5, task_.vehicle.cruise_speed_mps});
+    tracked_leg_ = plan_.legs_done;
+  }
+  track_->add(vehicle.time_s, vehicle.position_m);
+}
+
+bool PlanKeeper::on_vehicle(const AircraftView& vehicle) {
+  if (vehicle_ && vehicle.time_s < vehicle_->time_s) return false;
+  const std::optional<AircraftView> before = vehicle_;
+  vehicle_ = vehicle;
+  if (before && before->on_ground() && !vehicle.on_ground()) {
+    const bool times_off = !plan_.rendezvous.empty() && has_flown_ &&
+                           std::abs(vehicle.time_s - plan_.rendezvous.front().depart_s) > params_.time_tolerance_s && at_meeting(before->position_m);
+    const double late = times_off ? vehicle.time_s - plan_.rendezvous.front().depart_s : 0.0;
+    pass_meeting(before->position_m);
+    has_flown_ = true;
+    solved_slack_.reset();
+    take_off_energy_ = battery_ ? battery_->energy : -1.0;
+    follow_progress(vehicle);
+    if (const auto cost = to_next_landing()) take_off_cost_ = *cost;
+    if (times_off) {
+      shift_times(plan_, plan_.legs_done, late);
+      note_revision("times: the take-off was " + std::to_string(std::lround(late)) + " s late");
+      return true;
+    }
+    return false;
+  }
+  if (before && !before->on_ground() && vehicle.on_ground()) {
+    landed_since_s_ = vehicle.time_s;
+    bias_is_due_ = true;
+  }
+  follow_progress(vehicle);
+  return vehicle.on_ground() ? review_ground() : review_gaps();
+}
+
+bool PlanKeeper::on_battery(const BatteryView& battery) {
+  if (battery_ && battery.time_s < battery_->time_s) return false;
+  battery_ = battery;
+  if (!vehicle_) return false;
+  if (vehicle_->on_ground()) return review_ground();
+  return review_flight();
+}
+
+bool PlanKeeper::on_robot(const RobotView& robot) {
+  robot_ = robot;
+  if (!vehicle_ || plan_.rendezvous.empty() || robot.has_vehicle || vehicle_->mode == AircraftMode::kDocked) return false;
+  Rendezvous& next = plan_.rendezvous.front();
+  const double arrives = robot.time_s + flat_distance(robot.position_m, next.site_m) / task_.charger.speed_mps;
+  const double late = arrives - std::max(next.land_s, next.robot_arrives_s);
+  if (late < params_.time_tolerance_s || robot.time_s < last_shift_s_ + kShiftEvery_s) return false;
+  last_shift_s_ = robot.time_s;
+  const double land_s = next.land_s;
+  shift_times(plan_, next.id / 2 + 1, late);
+  next.land_s = land_s;
+  next.arrive_by_s = land_s;
+  next.wait_s = std::max(0.0, next.robot_arrives_s - land_s);
+  note_revision("times: the robot is " + std::to_string(std::lround(late)) + " s late");
+  return true;
+}
+
+/// In flight: does the energy reach the next landing?
+bool PlanKeeper::review_flight() {
+  if (vehicle_->mode == AircraftMode::kLanding) return false;
+  const auto cost = to_next_landing();
+  if (!cost) return false;
+  const double slack = energy_now() - cost->energy * bias_ - task_.battery.reserve;
+  if (slack >= cost->energy * params_.trigger_margin) return false;
+  if (solved_slack_ && slack >= *solved_slack_ - kWorseShare * task_.battery.capacity) return false;
+  const bool changed = solve_in_flight("energy " + std::to_string(std::lround(energy_now())) + " does not reach the next landing");
+  const auto after = to_next_landing();
+  solved_slack_ = after ? energy_now() - after->energy * bias_ - task_.battery.reserve : slack;
+  return changed;
+}
+
+/// Once in a while only: what failed will fail again until something has changed.
+bool PlanKeeper::may_retry() {
+  if (vehicle_->time_s < retry_s_) return false;
+  retry_s_ = vehicle_->time_s + kRetryEvery_s;
+  return true;
+}
+
+bool PlanKeeper::review_gaps() {
+  if (gaps_.empty() || vehicle_->mode == AircraftMode::kLanding || vehicle_->mode == AircraftMode::kTakingOff) return false;
+  if (!may_retry()) return false;
+  return solve_in_flight("a stretch was left out");
+}
+
+bool PlanKeeper::review_ground() {
+  if (bias_is_due_ && battery_ && battery_->time_s >= landed_since_s_) {
+    bias_is_due_ = false;
+    const double used = take_off_energy_ - battery_->energy;
+    if (take_off_energy_ > 0.0 && take_off_cost_.energy > kLeastSortie && used < kLossRatio * take_off_cost_.energy) {
+      bias_ = std::clamp(0.5 * (bias_ + used / take_off_cost_.energy), 1.0, kMostBias);
+    }
+  }
+  if (!has_flown_) {
+    if (!battery_ || battery_->energy >= plan_.battery_energy - kWorseShare * task_.battery.capacity || plan_.legs_done > 0) return false;
+    if (!may_retry()) return false;
+    return solve_on_ground("the battery is not full at the start");
+  }
+  if (vehicle_->mode == AircraftMode::kDocked || at_meeting(vehicle_->position_m)) return top_up_charge();
+  if (vehicle_->time_s < landed_since_s_ + kSettled_s) return false;
+  if (plan_.legs_done >= plan_.legs.size() && gaps_.empty()) return false;
+  if (!may_retry()) return false;
+  return solve_on_ground(plan_.legs_done >= plan_.legs.size() ? "a stretch was left out" : "landed away from the plan's sites");
+}
+
+void PlanKeeper::note_revision(const std::string& reason) {
+  ++plan_.revision;
+  plan_.reason = reason;
+  plan_.vehicle_time_s = vehicle_ ? vehicle_->time_s : 0.0;
+  plan_.battery_time_s = battery_ ? battery_->time_s : 0.0;
+  plan_.battery_energy = energy_now();
+}
+
+}  // namespace swallowtail::coverage

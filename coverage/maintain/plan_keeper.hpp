@@ -1,0 +1,129 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "coverage/maintain/live_plan.hpp"
+#include "coverage/maintain/rest.hpp"
+#include "coverage/maintain/strip_track.hpp"
+
+namespace swallowtail::coverage {
+
+enum class AircraftMode : std::uint8_t { kLanded, kDocked, kTakingOff, kFlying, kLanding };
+
+struct AircraftView {
+  double time_s = 0.0;
+  Vec3 position_m = Vec3::Zero();
+  Vec3 velocity_mps = Vec3::Zero();
+  AircraftMode mode = AircraftMode::kLanded;
+  std::size_t leg_index = 0;
+  std::size_t legs_done = 0;
+  bool on_ground() const { return mode == AircraftMode::kLanded || mode == AircraftMode::kDocked; }
+};
+
+struct BatteryView {
+  double time_s = 0.0;
+  double energy = 0.0;
+};
+
+struct RobotView {
+  double time_s = 0.0;
+  Vec3 position_m = Vec3::Zero();
+  bool has_vehicle = false;
+  bool is_delayed = false;
+};
+
+struct KeeperParams {
+  PlanOptions planning;
+  /// A landing is in danger when the energy left does not do for so much more than predicted.
+  double trigger_margin = 0.03;
+  /// Mission seconds that a change needs to reach the aircraft: what it flies until then cannot be changed. Grows with the mission's rate (see set_reaction).
+  double reaction_s = 1.0;
+  double time_tolerance_s = 15.0;  ///< times are published anew only when they are off by more
+  int gap_tries = 2;               ///< how often a stretch left out is tried again
+  double resolve_deadline_s = 0.2;  ///< wall time of the local search, on planning.clock; without a clock only its count limits it
+  std::uint64_t resolve_schedules = 400;
+};
+
+/// Keeps a coverage plan true while it is flown: what is flown stays as a fixed prefix, the rest is scheduled anew when the energy no longer reaches the next landing, when the aircraft lands where it was
+/// not meant to, when a stretch was left out, or (times only) when aircraft or robot are late. Knows no middleware and no wall clock of its own.
+class PlanKeeper {
+ public:
+  /// Plans the task. Errors: see plan_coverage.
+  static Result<PlanKeeper> make(Task task, planner::Terrain terrain, KeeperParams params);
+
+  PlanKeeper(Task task, planner::Terrain terrain, KeeperParams params, LivePlan plan, std::vector<FieldReport> fields = {});
+
+  /// Each takes news and tells whether the plan was changed: plan() then has a new revision and a reason.
+  bool on_vehicle(const AircraftView& vehicle);
+  bool on_battery(const BatteryView& battery);
+  bool on_robot(const RobotView& robot);
+  void set_reaction(double reaction_s) { params_.reaction_s = reaction_s; }
+
+  const LivePlan& plan() const { return plan_; }
+  const Task& task() const { return task_; }
+  const std::vector<FieldReport>& fields() const { return fields_; }
+  /// Predicted energy at the next landing, from the newest state; nothing on the ground.
+  std::optional<double> energy_at_next_landing() const;
+  /// Metres of strips given up after their tries.
+  double unflown_m() const { return unflown_m_; }
+  /// Whether everything is flown or ahead in the plan.
+  bool complete() const { return plan_.complete && gaps_.empty(); }
+
+ private:
+  FlightModel model() const { return {task_.vehicle, task_.battery.model, terrain_}; }
+  double energy_now() const;
+  bool covers(std::size_t leg) const;
+  std::optional<FlightCost> to_next_landing() const;
+  RestParams rest_params() const;
+
+  void follow_progress(const AircraftView& vehicle);
+  void finish_leg(std::size_t leg);
+  void pass_meeting(const Vec3& from_m);
+  bool may_retry();
+  bool review_flight();
+  bool review_ground();
+  bool review_gaps();
+  bool solve_in_flight(const std::string& reason);
+  bool solve_on_ground(const std::string& reason);
+  bool solve_docked(const std::string& reason);
+  bool top_up_charge();
+  bool land_at_once(std::vector<Leg> rest, const Vec3& at_m, const std::string& reason);
+  double robot_arrives_s(const Vec3& site_m) const;
+  Leg point_leg(const Vec3& at_m);
+  Vec3 point_ahead() const;
+  void adopt(RestPlan rest, const std::string& reason);
+  void note_revision(const std::string& reason);
+  ScheduleStart start_in_air() const;
+  std::vector<Leg> unflown_legs();
+  bool at_meeting(const Vec3& position_m) const;
+
+  Task task_;
+  planner::Terrain terrain_;
+  KeeperParams params_;
+  LivePlan plan_;
+  std::vector<FieldReport> fields_;
+  std::optional<AircraftView> vehicle_;
+  std::optional<BatteryView> battery_;
+  std::optional<RobotView> robot_;
+  std::optional<StripTrack> track_;
+  std::size_t tracked_leg_ = 0;
+  std::vector<Leg> gaps_;               ///< left out, not in the plan yet
+  std::map<std::uint32_t, int> tries_;  ///< by sub-cell: how often it has been a gap
+  std::uint32_t next_id_ = 0;
+  double unflown_m_ = 0.0;
+  double landed_since_s_ = 0.0;
+  double last_shift_s_ = -1e9;
+  double retry_s_ = -1e9;               ///< a solution that failed is not tried again before
+  bool has_flown_ = false;
+  double take_off_energy_ = -1.0;
+  FlightCost take_off_cost_;
+  double bias_ = 1.0;                   ///< consumption against prediction, as flown
+  bool bias_is_due_ = false;
+  std::optional<double> solved_slack_;  ///< energy to spare at the next landing when last solved for it
+};
+
+}  // namespace swallowtail::coverage

@@ -1,0 +1,256 @@
+#include <algorithm>
+#include <cmath>
+
+#include "coverage/maintain/plan_keeper.hpp"
+
+/// How PlanKeeper schedules the rest anew.
+namespace swallowtail::coverage {
+namespace {
+
+/// A robot that stands still for a reason unknown is taken to do so for a while yet.
+constexpr double kDelay_s = 30.0;
+constexpr double kBiasAllowance = 0.04;
+constexpr double kAboveGround_m = 1.0;
+
+double flat_distance(const Vec3& a, const Vec3& b) { return (a - b).head<2>().norm(); }
+
+}  // namespace
+
+RestParams PlanKeeper::rest_params() const {
+  RestParams out;
+  out.stops = stop_params(task_, params_.planning);
+  out.stops.energy_factor = std::max(out.stops.energy_factor, bias_ + kBiasAllowance);
+  out.schedules = params_.resolve_schedules;
+  if (params_.planning.clock != nullptr) {
+    out.stop.clock = params_.planning.clock;
+    out.stop.deadline_s = out.stop.clock->now_s() + params_.resolve_deadline_s;
+  }
+  return out;
+}
+
+double PlanKeeper::robot_arrives_s(const Vec3& site_m) const {
+  const double now = vehicle_ ? vehicle_->time_s : 0.0;
+  const Vec3& from = robot_ ? robot_->position_m : task_.charger.start_m;
+  const double delay = robot_ && robot_->is_delayed ? kDelay_s : 0.0;
+  return now + delay + flat_distance(from, site_m) / task_.charger.speed_mps;
+}
+
+ScheduleStart PlanKeeper::start_in_air() const {
+  ScheduleStart start;
+  start.kind = StartKind::kAir;
+  start.position_m = vehicle_->position_m;
+  if (vehicle_->velocity_mps.head<2>().norm() > 0.5) start.direction = vehicle_->velocity_mps;
+  start.time_s = vehicle_->time_s;
+  start.energy = energy_now();
+  start.robot_m = robot_ ? robot_->position_m : task_.charger.start_m;
+  start.robot_free_s = robot_arrives_s(start.robot_m);
+  return start;
+}
+
+/// What is ahead and what was left out; of a leg that was broken off only the part not yet flown.
+std::vector<Leg> PlanKeeper::unflown_legs() {
+  std::vector<Leg> out(plan_.legs.begin() + static_cast<std::ptrdiff_t>(plan_.legs_done), plan_.legs.end());
+  std::erase_if(out, [](const Leg& leg) { return leg.kind == LegKind::kReposition; });
+  const bool broken_off = track_ && tracked_leg_ == plan_.legs_done && !out.empty() && !covers(plan_.legs_done) &&
+                          out.front().sub_cell_id == plan_.legs[plan_.legs_done].sub_cell_id;
+  if (broken_off) {
+    const double flown = track_->flown_from_entry_m();
+    const double length = track_->length_m();
+    if (flown > 1.0 && flown < length) out.front().entry_m += (out.front().exit_m - out.front().entry_m) * ((flown - 0.5) / length);
+  }
+  out.insert(out.end(), gaps_.begin(), gaps_.end());
+  return out;
+}
+
+Leg PlanKeeper::point_leg(const Vec3& at_m) {
+  Leg leg;
+  leg.sub_cell_id = next_id_++;
+  leg.kind = LegKind::kReposition;
+  leg.entry_m = at_m;
+  leg.exit_m = at_m;
+  leg.height_m = at_m.z() - terrain_.height_at(at_m.x(), at_m.y());
+  leg.width_m = task_.sensor_width_m;
+  return leg;
+}
+
+/// Where the aircraft will be when a change can have reached it.
+Vec3 PlanKeeper::point_ahead() const {
+  Vec3 way = vehicle_->velocity_mps;
+  way.z() = 0.0;
+  return vehicle_->position_m + way * params_.reaction_s;
+}
+
+void PlanKeeper::adopt(RestPlan rest, const std::string& reason) {
+  plan_.legs.resize(plan_.legs_done);
+  plan_.legs.insert(plan_.legs.end(), rest.legs.begin(), rest.legs.end());
+  plan_.rendezvous = std::move(rest.rendezvous);
+  plan_.end_s = rest.end_s;
+  gaps_.clear();
+  note_revision(reason);
+}
+
+bool PlanKeeper::solve_in_flight(const std::string& reason) {
+  const std::size_t now = plan_.legs_done;
+  const bool covering = covers(now);
+  Rest whole{unflown_legs(), covering ? std::size_t{1} : std::size_t{0}};
+  if (whole.legs.empty()) return false;
+  const ScheduleStart start = start_in_air();
+  const RestParams params = rest_params();
+  const Leg current = covering ? plan_.legs[now] : Leg{};
+  if (covering) whole.legs.front().entry_m = start.position_m;
+  // First: what is under way is finished, then it lands where it does best.
+  std::optional<RestPlan> found = plan_rest(whole, start, now, model(), params);
+  if (!found) {
+    // Else it may land a little ahead of here, and come back.
+    Rest split = whole;
+    const Vec3 ahead = point_ahead();
+    const double left = (current.exit_m - start.position_m).norm();
+    const double step = flat_distance(ahead, start.position_m);
+    if (covering && step < left - 1.0) {
+      const Vec3 cut = start.position_m + (current.exit_m - start.position_m) * (step / left);
+      Leg rest = split.legs.front();
+      rest.sub_cell_id = next_id_++;
+      rest.entry_m = cut;
+      split.legs.front().exit_m = cut;
+      split.legs.insert(split.legs.begin() + 1, rest);
+    } else if (!covering) {
+      split.legs.insert(split.legs.begin(), point_leg(ahead));
+    }
+    split.fixed = 1;
+    found = plan_rest(split, start, now, model(), params);
+    if (!found) {
+      if (covering) split.legs.front().entry_m = start.position_m;
+      const bool done = land_at_once(split.legs, split.legs.front().exit_m, reason);
+      if (done && covering) plan_.legs[now].entry_m = current.entry_m;
+      if (done && covering && track_) track_->end_at(plan_.legs[now].exit_m);
+      return done;
+    }
+  }
+  adopt(std::move(*found), reason);
+  // The leg under way began where it began; its index stays.
+  if (covering) plan_.legs[now].entry_m = current.entry_m;
+  if (covering && track_) track_->end_at(plan_.legs[now].exit_m);
+  return true;
+}
+
+/// Nothing keeps the reserve any more: down at the end of the first leg given, wait for the robot, and go on from there.
+bool PlanKeeper::land_at_once(std::vector<Leg> legs, const Vec3& at_m, const std::string& reason) {
+  const FlightModel flight = model();
+  const double down_s = vehicle_->time_s + flight.level(flat_distance(vehicle_->position_m, at_m)).time_s + flight.landing(at_m).time_s;
+  Leg first = legs.front();
+  legs.erase(legs.begin());
+  first.transfer = legs.empty() ? Transfer::kEnd : Transfer::kFDUF;
+  first.start_s = vehicle_->time_s;
+  first.end_s = down_s;
+  first.energy_before = energy_now();
+  first.energy_after = std::max(0.0, first.energy_before - (down_s - vehicle_->time_s) * task_.battery.model.level_per_s);
+  RestPlan rest;
+  if (!legs.empty()) {
+    ScheduleStart start;
+    start.kind = StartKind::kDocked;
+    start.position_m = flight.ground(at_m);
+    start.time_s = std::max(down_s, robot_arrives_s(at_m)) + task_.charger.landing_s;
+    start.energy = first.energy_after;
+    auto later = plan_rest({std::move(legs), 0}, start, plan_.legs_done + 1, flight, rest_params());
+    if (!later) return false;
+    rest = std::move(*later);
+    Rendezvous meeting;
+    meeting.id = static_cast<std::uint32_t>(2 * plan_.legs_done);
+    meeting.site_m = start.position_m;
+    meeting.robot_arrives_s = start.time_s - task_.charger.landing_s;
+    meeting.land_s = down_s;
+    meeting.arrive_by_s = down_s;
+    meeting.energy_from = start.energy;
+    meeting.charge_to = rest.first->energy_to;
+    meeting.depart_s = rest.first->ready_s + params_.planning.lead_s;
+    meeting.wait_s = std::max(0.0, meeting.robot_arrives_s - down_s);
+    rest.rendezvous.insert(rest.rendezvous.begin(), meeting);
+  }
+  rest.legs.insert(rest.legs.begin(), first);
+  adopt(std::move(rest), reason + "; lands at once");
+  return true;
+}
+
+/// Landed where no meeting was planned: the robot comes here first.
+bool PlanKeeper::solve_on_ground(const std::string& reason) {
+  std::vector<Leg> legs = unflown_legs();
+  if (legs.empty()) return false;
+  const FlightModel flight = model();
+  const Vec3 site = flight.ground(vehicle_->position_m);
+  ScheduleStart start;
+  start.position_m = site;
+  start.energy = energy_now();
+  if (!has_flown_) {
+    start.time_s = vehicle_->time_s;
+    start.robot_m = robot_ ? robot_->position_m : task_.charger.start_m;
+    start.robot_free_s = vehicle_->time_s;
+    if (auto found = plan_rest({legs, 0}, start, plan_.legs_done, flight, rest_params())) {
+      adopt(std::move(*found), reason);
+      return true;
+    }
+  }
+  start.kind = StartKind::kDocked;
+  const double arrives = std::max(vehicle_->time_s, robot_arrives_s(site));
+  start.time_s = arrives + task_.charger.landing_s;
+  Vec3 above = site;
+  above.z() = std::max(legs.front().entry_m.z(), site.z() + task_.vehicle.clearance_m() + kAboveGround_m);
+  legs.insert(legs.begin(), point_leg(above));
+  auto found = plan_rest({std::move(legs), 1}, start, plan_.legs_done, flight, rest_params());
+  if (!found) return false;
+  Rendezvous meeting;
+  meeting.id = static_cast<std::uint32_t>(2 * plan_.legs_done);
+  meeting.site_m = site;
+  meeting.robot_arrives_s = arrives;
+  meeting.land_s = vehicle_->time_s;
+  meeting.arrive_by_s = vehicle_->time_s;
+  meeting.depart_s = found->first->ready_s + params_.planning.lead_s;
+  meeting.energy_from = start.energy;
+  meeting.charge_to = found->first->energy_to;
+  meeting.wait_s = arrives - vehicle_->time_s;
+  // It has only just taken off there: landing at the same spot again would share the meeting's number.
+  std::erase_if(found->rendezvous, [&](const Rendezvous& r) { return r.id <= meeting.id; });
+  found->rendezvous.insert(found->rendezvous.begin(), meeting);
+  adopt(std::move(*found), reason);
+  return true;
+}
+
+/// On the robot, or waiting for it, at the meeting at hand: the rest from its take-off on.
+bool PlanKeeper::solve_docked(const std::string& reason) {
+  std::vector<Leg> legs = unflown_legs();
+  if (legs.empty() || plan_.rendezvous.empty()) return false;
+  const FlightModel flight = model();
+  Rendezvous meeting = plan_.rendezvous.front();
+  ScheduleStart start;
+  start.kind = StartKind::kDocked;
+  start.position_m = meeting.carry ? meeting.carry_to_m : meeting.site_m;
+  start.time_s = vehicle_->mode == AircraftMode::kDocked ? vehicle_->time_s : std::max(vehicle_->time_s, robot_arrives_s(meeting.site_m)) + task_.charger.landing_s;
+  start.time_s += flat_distance(vehicle_->position_m, start.position_m) / task_.charger.speed_mps;
+  start.energy = energy_now();
+  // Carried to an entry, it takes off there: that leg stays the next.
+  auto found = plan_rest({std::move(legs), meeting.carry || meeting.id % 2 == 1 ? std::size_t{1} : std::size_t{0}}, start, plan_.legs_done, flight, rest_params());
+  if (!found) return false;
+  meeting.charge_to = found->first->energy_to;
+  meeting.depart_s = found->first->ready_s + params_.planning.lead_s;
+  std::erase_if(found->rendezvous, [&](const Rendezvous& r) { return r.id <= meeting.id; });
+  found->rendezvous.insert(found->rendezvous.begin(), meeting);
+  adopt(std::move(*found), reason);
+  return true;
+}
+
+bool PlanKeeper::top_up_charge() {
+  if (plan_.rendezvous.empty()) return false;
+  if (!gaps_.empty()) return may_retry() && solve_docked("a stretch was left out");
+  if (bias_ + kBiasAllowance <= 1.0 + params_.planning.energy_margin) return false;
+  Rendezvous& meeting = plan_.rendezvous.front();
+  const bool has_next = plan_.rendezvous.size() > 1;
+  if (!has_next && plan_.legs.empty()) return false;
+  const double lands_with = has_next ? plan_.rendezvous[1].energy_from : plan_.legs.back().energy_after - model().landing(plan_.legs.back().exit_m).energy;
+  const double needs = task_.battery.reserve + (meeting.charge_to - lands_with) * (bias_ + kBiasAllowance);
+  if (needs <= meeting.charge_to + 1.0) return false;
+  if (needs > task_.battery.capacity) return may_retry() && solve_docked("consumption is higher than predicted");
+  meeting.charge_to = needs;
+  note_revision("charges more: consumption is higher than predicted");
+  return true;
+}
+
+}  // namespace swallowtail::coverage

@@ -1,0 +1,42 @@
+#include "coverage/maintain/rest.hpp"
+
+#include <limits>
+
+#include "coverage/schedule/expand.hpp"
+
+namespace swallowtail::coverage {
+
+std::optional<RestPlan> plan_rest(const Rest& rest, const ScheduleStart& start, std::size_t first_index, const FlightModel& model,
+                                  const RestParams& params) {
+  if (rest.legs.empty()) return std::nullopt;
+  std::vector<SubCell> cells;
+  std::vector<Visit> visits;
+  for (std::size_t i = 0; i < rest.legs.size(); ++i) {
+    const Leg& leg = rest.legs[i];
+    // The cache's id must be unique here, whatever the sub-cells are called.
+    cells.push_back({static_cast<std::uint32_t>(i), leg.field_id, leg.entry_m, leg.exit_m, leg.height_m, leg.width_m});
+    visits.push_back({i, false});
+  }
+  LinkCache links(model, params.stops.charger);
+  StopPlanner stops(links, params.stops);
+  StopCondition stop = params.stop;
+  stop.max_evaluations = std::min(stop.max_evaluations, params.schedules);
+  if (params.schedules > 0) visits = improve_order(cells, std::move(visits), start, stops, links, stop, rest.fixed).visits;
+  std::vector<RouteLeg> route;
+  for (const Visit& visit : visits) route.push_back(route_leg(cells[visit.sub_cell], visit));
+  const std::optional<StopPlan> schedule = stops.plan(route, start);
+  if (!schedule) return std::nullopt;
+  Expansion expansion = expand(cells, visits, start, *schedule, links, first_index);
+  RestPlan out;
+  for (std::size_t i = 0; i < visits.size(); ++i) {
+    expansion.legs[i].sub_cell_id = rest.legs[visits[i].sub_cell].sub_cell_id;
+    expansion.legs[i].kind = rest.legs[visits[i].sub_cell].kind;
+  }
+  out.legs = std::move(expansion.legs);
+  out.rendezvous = std::move(expansion.rendezvous);
+  out.first = schedule->first;
+  out.end_s = schedule->end_s;
+  return out;
+}
+
+}  // namespace swallowtail::coverage

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "coverage/maintain/live_plan.hpp"
+#include "coverage/schedule/improve.hpp"
+#include "coverage/schedule/task.hpp"
+
+namespace swallowtail::coverage {
+
+/// What is still to be flown, in an order to begin with. Legs are given as they would be flown.
+struct Rest {
+  std::vector<Leg> legs;
+  std::size_t fixed = 0;  ///< so many at the front stay where they are
+};
+
+struct RestParams {
+  StopParams stops;
+  StopCondition stop;         ///< of the local search
+  std::uint64_t schedules = 400;
+};
+
+struct RestPlan {
+  std::vector<Leg> legs;
+  std::vector<Rendezvous> rendezvous;
+  std::optional<Recharge> first;  ///< when it starts docked
+  double end_s = 0.0;
+};
+
+/// Schedules the rest from a state in the middle of the mission, warm: the given order, improved. Nothing when even that cannot be flown with the reserve kept.
+std::optional<RestPlan> plan_rest(const Rest& rest, const ScheduleStart& start, std::size_t first_index, const FlightModel& model, const RestParams& params);
+
+}  // namespace swallowtail::coverage
