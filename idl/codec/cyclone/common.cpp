@@ -1,0 +1,49 @@
+#include "idl/codec/cyclone/common.hpp"
+
+namespace swallowtail::codec::cyclone {
+
+data::Vec3 vec3(const swallowtail_Vector3& w) { return {w.x_m, w.y_m, w.z_m}; }
+
+swallowtail_Vector3 vec3(const data::Vec3& d) {
+  swallowtail_Vector3 w{};
+  w.x_m = d.x_m;
+  w.y_m = d.y_m;
+  w.z_m = d.z_m;
+  return w;
+}
+
+data::GeoOrigin geo_origin(const swallowtail_GeoOrigin& w) { return {w.lat_deg, w.lon_deg, w.elevation_m}; }
+
+swallowtail_GeoOrigin geo_origin(const data::GeoOrigin& d) {
+  swallowtail_GeoOrigin w{};
+  w.lat_deg = d.lat_deg;
+  w.lon_deg = d.lon_deg;
+  w.elevation_m = d.elevation_m;
+  return w;
+}
+
+data::VehicleLimits vehicle_limits(const swallowtail_VehicleLimits& w) {
+  data::VehicleLimits d;
+  d.radius_m = w.radius_m;
+  d.margin_m = w.margin_m;
+  d.cruise_speed_mps = w.cruise_speed_mps;
+  d.climb_speed_mps = w.climb_speed_mps;
+  d.descent_speed_mps = w.descent_speed_mps;
+  d.turn_max_rad = w.turn_max_rad;
+  d.climb_max_rad = w.climb_max_rad;
+  return d;
+}
+
+swallowtail_VehicleLimits vehicle_limits(const data::VehicleLimits& d) {
+  swallowtail_VehicleLimits w{};
+  w.radius_m = d.radius_m;
+  w.margin_m = d.margin_m;
+  w.cruise_speed_mps = d.cruise_speed_mps;
+  w.climb_speed_mps = d.climb_speed_mps;
+  w.descent_speed_mps = d.descent_speed_mps;
+  w.turn_max_rad = d.turn_max_rad;
+  w.climb_max_rad = d.climb_max_rad;
+  return w;
+}
+
+}  // namespace swallowtail::codec::cyclone
