@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <variant>
@@ -10,19 +11,34 @@
 
 namespace swallowtail::planner {
 
-struct Sphere { double radius_m = 0.0; };
+struct Sphere {
+  double radius_m = 0.0;
+};
 /// Axis up, `position` at the centre of the base.
-struct Cylinder { double radius_m = 0.0; double height_m = 0.0; };
+struct Cylinder {
+  double radius_m = 0.0;
+  double height_m = 0.0;
+};
 /// Axis up, `position` at the centre of the base, apex above it.
-struct Cone { double radius_m = 0.0; double height_m = 0.0; };
+struct Cone {
+  double radius_m = 0.0;
+  double height_m = 0.0;
+};
 /// Full edge lengths, `position` at the centre, turned by yaw_rad about up.
-struct Box { Vec3 size_m = Vec3::Zero(); double yaw_rad = 0.0; };
+struct Box {
+  Vec3 size_m = Vec3::Zero();
+  double yaw_rad = 0.0;
+};
 /// Convex hull of the vertices, relative to `position`, turned by yaw_rad about up.
-struct ConvexMesh { std::vector<Vec3> vertices_m; double yaw_rad = 0.0; };
+struct ConvexMesh {
+  std::vector<Vec3> vertices_m;
+  double yaw_rad = 0.0;
+};
 
 using Shape = std::variant<Sphere, Cylinder, Cone, Box, ConvexMesh>;
 
-/// A solid that may move in a straight line: at mission time t it stands at position + velocity·(t − state_time_s), from state_time_s back and on, until valid_until_s.
+/// A solid that may move in a straight line: at mission time t it stands at position + velocity·(t −
+/// state_time_s), from state_time_s back and on, until valid_until_s.
 struct Obstacle {
   std::uint32_t id = 0;
   Shape shape;
@@ -36,10 +52,20 @@ struct Obstacle {
   bool moves() const { return velocity_mps != Vec3::Zero(); }
 };
 
-/// Errors name the obstacle, the value and the rule: sizes positive and finite, at least 4 vertices not in one plane, speed ≤ 200 m/s.
+/// Errors name the obstacle, the value and the rule: every number finite (valid_until_s may be infinite),
+/// sizes in (0, 1e5] m, margin 0 … 1e5 m, speed ≤ 200 m/s, a mesh of 4 … kMaxVertices vertices that do not
+/// lie in one plane.
 Status validate(const Obstacle& obstacle);
+inline constexpr std::size_t kMaxVertices = 1024;
 
-/// Radius of the smallest sphere around `position` that holds the shape, and its axis-aligned half extents seen from there.
+/// Radius of the smallest sphere around `position` that holds the shape.
 double bounding_radius_m(const Shape& shape);
+
+/// The axis-aligned box that holds the shape (yaw applied), relative to `position`.
+struct Extent {
+  Vec3 min_m = Vec3::Zero();
+  Vec3 max_m = Vec3::Zero();
+};
+Extent extent(const Shape& shape);
 
 }  // namespace swallowtail::planner

@@ -9,7 +9,8 @@
 
 namespace swallowtail::planner {
 
-/// An elevation raster. Sample (r, c) stands at (origin_m.x + c·cell_size_m, origin_m.y + r·cell_size_m); rows go north, row by row in memory.
+/// An elevation raster. Sample (r, c) stands at (origin_m.x + c·cell_size_m, origin_m.y + r·cell_size_m);
+/// rows go north, row by row in memory.
 struct TerrainGrid {
   Vec2 origin_m = Vec2::Zero();
   double cell_size_m = 1.0;
@@ -18,7 +19,8 @@ struct TerrainGrid {
   std::vector<float> elevation_m;
 };
 
-/// A mountain of the analytic terrain [BOA Eq. 7, sign corrected]: height_m · exp(−((x − x_m)² + (y − y_m)²) / spread_m2).
+/// A mountain of the analytic terrain [BOA Eq. 7, sign corrected]: height_m · exp(−((x − x_m)² + (y − y_m)²)
+/// / spread_m2).
 struct Mountain {
   double x_m = 0.0;
   double y_m = 0.0;
@@ -26,29 +28,36 @@ struct Mountain {
   double spread_m2 = 20.0;
 };
 
-/// The ground: a continuous surface, bilinear between the samples of a raster; outside the raster its edge is continued. Immutable.
+/// The ground: a continuous surface, bilinear between the samples of a raster; outside the raster its edge is
+/// continued. Immutable, and cheap to copy. A coordinate that is not a number gives NaN; whoever compares
+/// with the answer must let NaN fail.
 class Terrain {
  public:
   /// A plane at one elevation.
   static Terrain flat(double elevation_m);
-  /// Errors: fewer than 2×2 samples, a wrong count, a cell size that is not positive, an elevation that is not finite or beyond ±1e4 m.
+  /// Errors: fewer than 2×2 samples, a wrong count, a cell size that is not positive, an elevation that is
+  /// not finite or beyond ±1e4 m.
   static Result<Terrain> from_grid(TerrainGrid grid);
 
   double height_at(double x_m, double y_m) const;
 
-  /// Least of (z − ground) over the straight segment a–b: exact (quadratic in each cell that the segment crosses), no peak is stepped over.
+  /// Least of (z − ground) over the straight segment a–b: exact (quadratic in each cell that the segment
+  /// crosses), no peak is stepped over. A pyramid of maxima leaves out whatever lies too low to matter, so
+  /// that long segments over large rasters stay cheap.
   double min_height_above(const Vec3& a, const Vec3& b) const;
 
-  /// Greatest and least ground elevation under the axis-aligned rectangle, exact at samples and edges.
+  /// Greatest and least ground elevation under the axis-aligned rectangle, exact.
   double max_in(const Vec2& lo, const Vec2& hi) const;
   double min_in(const Vec2& lo, const Vec2& hi) const;
 
   /// Greatest slope (rise over run) of the whole surface; 0 for a plane.
   double max_slope() const;
+  /// An upper bound of the slope under the rectangle: the greatest of every raster cell that it touches.
+  double max_slope_in(const Vec2& lo, const Vec2& hi) const;
 
   bool is_flat() const { return grid_ == nullptr; }
   double flat_elevation_m() const { return flat_elevation_m_; }
-  /// The raster behind it; nullptr for a plane.
+  /// The raster behind it, which lives as long as this or any copy; nullptr for a plane.
   const TerrainGrid* grid() const;
 
  private:
@@ -57,7 +66,9 @@ class Terrain {
   std::shared_ptr<const Raster> grid_;
 };
 
-/// Samples the analytic mountains on a raster that spans lo … hi.
-Result<Terrain> mountains_terrain(const std::vector<Mountain>& mountains, const Vec2& lo, const Vec2& hi, double cell_size_m);
+/// Samples the sum of the mountains on a raster that spans lo … hi (at least; whole cells). Errors: a number
+/// that is not finite, a spread or a cell size that is not positive, lo not below hi, more than 5e7 samples.
+Result<Terrain> mountains_terrain(const std::vector<Mountain>& mountains, const Vec2& lo, const Vec2& hi,
+                                  double cell_size_m);
 
 }  // namespace swallowtail::planner
