@@ -21,7 +21,7 @@ Result<std::unique_ptr<ChargerParticipant>> ChargerParticipant::make(Bus& bus, c
 }
 
 ChargerParticipant::ChargerParticipant(Bus& bus, const Clock& clock, ParticipantOptions options)
-    : bus_(bus), clock_(clock), options_(std::move(options)) {}
+    : bus_(bus), clock_(clock), options_(std::move(options)), due_(options_.publish_period_s) {}
 
 Status ChargerParticipant::connect() {
   auto status = StatusPublisher::make(bus_, clock_, {.participant_id = data::kChargerId, .name = "charger"});
@@ -102,27 +102,29 @@ void ChargerParticipant::take_views() {
   }
 }
 
-bool ChargerParticipant::publication_due(const State& state, double wall_s) const {
-  if (!has_published_ || wall_s >= published_at_s_ + options_.publish_period_s) return true;
+Status ChargerParticipant::publish(const State& state) {
   const data::ChargerState next = to_data(state, options_.charger_id, inbox_->vehicle_id.load());
-  return next.activity != published_.activity || next.charge_rate != published_.charge_rate ||
-         next.docked_vehicle_id != published_.docked_vehicle_id ||
-         next.plan_revision != published_.plan_revision || next.rendezvous_id != published_.rendezvous_id;
+  const double wall_s = clock_.now_s();
+  const bool changed = !published_ || next.activity != published_->activity ||
+                       next.charge_rate != published_->charge_rate ||
+                       next.docked_vehicle_id != published_->docked_vehicle_id ||
+                       next.plan_revision != published_->plan_revision ||
+                       next.rendezvous_id != published_->rendezvous_id;
+  if (changed) {
+    due_.put_off(wall_s);
+  } else if (!due_(wall_s)) {
+    return {};
+  }
+  published_ = next;
+  return publisher_->publish(next);
 }
 
 Status ChargerParticipant::step() {
-  const double wall_s = clock_.now_s();
-  const double time_s = inbox_->time.now_s(wall_s);
+  const double time_s = inbox_->time.now_s(clock_.now_s());
   take_plan(time_s);
   if (charging_) {
     take_views();
-    const State& state = charging_->step(time_s, inputs_);
-    if (publication_due(state, wall_s)) {
-      published_ = to_data(state, options_.charger_id, inbox_->vehicle_id.load());
-      published_at_s_ = wall_s;
-      has_published_ = true;
-      if (Status sent = publisher_->publish(published_); !sent) return sent;
-    }
+    if (Status sent = publish(charging_->step(time_s, inputs_)); !sent) return sent;
   }
   return status_->step();
 }

@@ -12,6 +12,7 @@
 #include "planner/base/mailbox.hpp"
 #include "planner/base/result.hpp"
 #include "qos/bus.hpp"
+#include "qos/participant/due.hpp"
 #include "qos/participant/mission_time.hpp"
 #include "qos/participant/status.hpp"
 
@@ -54,7 +55,7 @@ class ChargerParticipant {
   Status subscribe();
   void take_plan(double time_s);
   void take_views();
-  bool publication_due(const State& state, double wall_s) const;
+  Status publish(const State& state);
 
   Bus& bus_;
   const Clock& clock_;
@@ -66,9 +67,8 @@ class ChargerParticipant {
   std::optional<Charging> charging_;
   Orders orders_;
   Inputs inputs_;
-  data::ChargerState published_;
-  double published_at_s_ = 0.0;
-  bool has_published_ = false;
+  std::optional<data::ChargerState> published_;
+  Due due_;
 };
 
 }  // namespace swallowtail::charger

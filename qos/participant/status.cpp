@@ -24,7 +24,7 @@ Result<std::unique_ptr<StatusPublisher>> StatusPublisher::make(Bus& bus, const C
 
 StatusPublisher::StatusPublisher(Bus& bus, const Clock& clock, StatusOptions options,
                                  std::unique_ptr<Publisher<data::ParticipantStatus>> publisher)
-    : bus_(bus), clock_(clock), options_(std::move(options)), publisher_(std::move(publisher)) {}
+    : bus_(bus), clock_(clock), options_(std::move(options)), publisher_(std::move(publisher)), due_(options_.period_s) {}
 
 void StatusPublisher::set_health(data::Health health, std::string_view message) {
   const std::lock_guard lock(mutex_);
@@ -62,9 +62,12 @@ Status StatusPublisher::step() {
   const double now_s = clock_.now_s();
   {
     const std::lock_guard lock(mutex_);
-    if (!changed_ && now_s < due_s_) return {};
+    if (changed_) {
+      due_.put_off(now_s);
+    } else if (!due_(now_s)) {
+      return {};
+    }
     changed_ = false;
-    due_s_ = now_s + options_.period_s;
   }
   return publisher_->publish(sample());
 }

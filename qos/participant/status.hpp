@@ -2,7 +2,6 @@
 
 #include <atomic>
 #include <cstdint>
-#include <limits>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -11,6 +10,7 @@
 #include "planner/base/clock.hpp"
 #include "planner/base/result.hpp"
 #include "qos/bus.hpp"
+#include "qos/participant/due.hpp"
 #include "qos/participant/percentiles.hpp"
 
 namespace swallowtail {
@@ -58,7 +58,7 @@ class StatusPublisher {
   data::Health health_ = data::Health::kStarting;
   std::string message_;
   bool changed_ = true;
-  double due_s_ = -std::numeric_limits<double>::infinity();
+  Due due_;
 };
 
 }  // namespace swallowtail

@@ -37,24 +37,6 @@ class Pace {
   double slipped_s_ = 0.0;
 };
 
-/// True once per period of wall time.
-class Due {
- public:
-  explicit Due(double period_s) : period_s_(period_s) {}
-
-  bool operator()(double wall_s) {
-    if (wall_s < next_s_) return false;
-    next_s_ = next_s_ + period_s_ > wall_s ? next_s_ + period_s_ : wall_s + period_s_;
-    return true;
-  }
-  /// Something else has just done what this would have asked for.
-  void put_off(double wall_s) { next_s_ = wall_s + period_s_; }
-
- private:
-  double period_s_;
-  double next_s_ = -std::numeric_limits<double>::infinity();
-};
-
 /// Keeps a rate of wall time on average, with short bursts.
 class Throttle {
  public:

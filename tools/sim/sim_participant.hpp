@@ -14,6 +14,7 @@
 #include "planner/base/result.hpp"
 #include "planner/scenario/scenario.hpp"
 #include "qos/bus.hpp"
+#include "qos/participant/due.hpp"
 #include "qos/participant/status.hpp"
 #include "tools/sim/pace.hpp"
 #include "tools/sim/progress.hpp"

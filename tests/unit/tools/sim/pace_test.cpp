@@ -23,18 +23,6 @@ TEST(Pace, SlipsRatherThanHurriesAfterAPause) {
   EXPECT_EQ(pace.owed(10.0), 0U);
 }
 
-TEST(Due, IsTrueOncePerPeriod) {
-  Due due(0.5);
-  EXPECT_TRUE(due(0.0));
-  EXPECT_FALSE(due(0.49));
-  EXPECT_TRUE(due(0.5));
-  EXPECT_TRUE(due(3.0));
-  EXPECT_FALSE(due(3.0));
-  due.put_off(3.4);
-  EXPECT_FALSE(due(3.8));
-  EXPECT_TRUE(due(3.9));
-}
-
 TEST(Throttle, KeepsTheRateOverTime) {
   Throttle throttle(1.0 / 250.0);
   int allowed = 0;
