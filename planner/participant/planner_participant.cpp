@@ -1,0 +1,372 @@
+#include "planner/participant/planner_participant.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "planner/base/checks.hpp"
+#include "planner/participant/convert.hpp"
+#include "planner/path/certifier.hpp"
+
+namespace swallowtail::planner {
+namespace {
+
+using data::VehicleMode;
+
+constexpr double kGoalHold_s = 10.0;
+/// Wall time between two tries to better a contingency or to find any path.
+constexpr double kRetry_s = 0.5;
+/// A path is published again after this wall time, so that the writer's deadline is kept.
+constexpr double kRepublish_s = 4.0;
+/// A mission time this far behind is a new mission.
+constexpr double kRestart_s = 5.0;
+/// The vehicle is not where its path says beyond this.
+constexpr double kOffPath_m = 1.5;
+/// On the ground within this of the charger's place, or of the task's start, it may be let go.
+constexpr double kBeside_m = 3.0;
+constexpr std::size_t kMaxReason = 128;
+constexpr double kLeastLead_s = 0.5;
+constexpr double kLeastLeadWall_s = 0.15;
+constexpr double kLeadReserveWall_s = 0.06;
+
+bool is_on_ground(const data::VehicleState& v) {
+  return v.mode == VehicleMode::kLanded || v.mode == VehicleMode::kDocked;
+}
+
+bool same_way(const data::Leg& a, const data::Leg& b) {
+  return a.kind == b.kind && a.entry == b.entry && a.exit == b.exit && a.transfer == b.transfer;
+}
+
+/// Whether both plans ask for the same flight from `leg` to the end of its sortie.
+bool same_ahead(const data::CoveragePlan& a, const data::CoveragePlan& b, std::uint32_t leg) {
+  if (leg > 0 && (a.legs.size() < leg || b.legs.size() < leg || !same_way(a.legs[leg - 1], b.legs[leg - 1])))
+    return false;
+  for (std::size_t i = leg; i < std::max(a.legs.size(), b.legs.size()); ++i) {
+    if (i >= a.legs.size() || i >= b.legs.size() || !same_way(a.legs[i], b.legs[i])) return false;
+    if (a.legs[i].transfer != data::Transfer::kFF) return (i + 1 < a.legs.size()) == (i + 1 < b.legs.size());
+  }
+  return true;
+}
+
+}  // namespace
+
+Status validate(const PlannerOptions& options) {
+  if (!is_within(options.budget_ms, 1.0, 10000.0))
+    return bad_input("The planner's budget must be 1 to 10000 ms.");
+  if (options.vehicle_id == 0) return bad_input("The vehicle id must not be 0.");
+  if (options.ownership_strength < 0) return bad_input("The ownership strength must not be negative.");
+  return {};
+}
+
+double PlannerParticipant::lead_s(double rate, double budget_ms) {
+  const double wall_s = std::max(kLeastLeadWall_s, 1e-3 * budget_ms + kLeadReserveWall_s);
+  return std::max(kLeastLead_s, rate * wall_s);
+}
+
+Result<std::unique_ptr<PlannerParticipant>> PlannerParticipant::make(Bus& bus, const Clock& clock,
+                                                                     PlannerOptions options) {
+  if (Status valid = validate(options); !valid) return valid.error();
+  std::unique_ptr<PlannerParticipant> planner(new PlannerParticipant(bus, clock, options));
+  if (Status connected = planner->connect(); !connected) return connected.error();
+  return planner;
+}
+
+PlannerParticipant::PlannerParticipant(Bus& bus, const Clock& clock, PlannerOptions options)
+    : bus_(bus), clock_(clock), options_(options) {
+  last_step_wall_s_ = clock.now_s();
+}
+
+void PlannerParticipant::take_changes() {
+  double arrived_wall_s = 0.0;
+  for (const Change& change : inbox_->take(arrived_wall_s)) {
+    if (const auto* gone = std::get_if<Gone>(&change)) keeper_.remove_obstacle(gone->obstacle_id);
+    if (const auto* tile = std::get_if<data::TerrainTile>(&change)) {
+      if (!keeper_.put(*tile)) bus_.count_rejection("TerrainTile", "does not fit its map");
+    }
+    if (const auto* obstacle = std::get_if<data::Obstacle>(&change)) {
+      if (!keeper_.put(*obstacle)) bus_.count_rejection("Obstacle", "unusable shape");
+    }
+  }
+  if (arrived_wall_s > 0.0 && changed_wall_s_ == 0.0) changed_wall_s_ = arrived_wall_s;
+}
+
+void PlannerParticipant::use_limits(const data::VehicleLimits& limits, std::uint64_t seed) {
+  limits_ = to_limits(limits);
+  Replanner::Params params;
+  params.seed = seed;
+  replanner_.emplace(limits_, params, &clock_);
+}
+
+void PlannerParticipant::take_mission() {
+  if (auto task = inbox_->task.take(); task && task->vehicle_id == options_.vehicle_id) {
+    if (!task_ || *task_ != *task) {
+      use_limits(task->vehicle, task->seed);
+      keeper_.set_has_terrain(task->has_terrain);
+      mission_changed_ = true;
+    }
+    task_ = std::move(task);
+  }
+  if (auto plan = inbox_->coverage.take()) {
+    const bool same =
+        coverage_ && !log_.empty() && same_ahead(*coverage_, *plan, vehicle_ ? vehicle_->legs_done : 0);
+    mission_changed_ = mission_changed_ || !same;
+    coverage_ = std::move(plan);
+  }
+  if (auto goal = inbox_->goal.take()) {
+    if (!goal_ || *goal_ != *goal) {
+      use_limits(goal->vehicle, goal->seed);
+      keeper_.set_has_terrain(goal->has_terrain);
+      const Vec3 lo = to_vec(goal->bounds_min);
+      const Vec3 hi = to_vec(goal->bounds_max);
+      if ((lo.array() < hi.array()).all()) keeper_.set_bounds({lo, hi});
+      mission_changed_ = true;
+    }
+    goal_ = std::move(goal);
+  }
+}
+
+void PlannerParticipant::take_path() {
+  auto plan = inbox_->path.take();
+  if (!plan) return;
+  const bool news = plan->revision > revision_;
+  revision_ = std::max(revision_, plan->revision);
+  if (!news || plan->waypoints.empty() || plan->verdict == data::PathVerdict::kNoSafePath) return;
+  // Somebody else plans for this vehicle: a stronger planner, or oneself before a restart.
+  log_.join(to_path(plan->waypoints), last_now_s_);
+  verdict_ = plan->verdict == data::PathVerdict::kCertified ? Verdict::kCertified : Verdict::kContingency;
+}
+
+void PlannerParticipant::take_inbox() {
+  if (auto vehicle = inbox_->vehicle.take()) {
+    revision_ = std::max(revision_, vehicle->path_revision);
+    vehicle_ = vehicle;
+  }
+  if (auto charger = inbox_->charger.take()) charger_ = charger;
+  take_changes();
+  take_mission();
+  take_path();
+}
+
+bool PlannerParticipant::has_mission() const {
+  return replanner_ && ((task_ && coverage_ && coverage_->task_id == task_->task_id) || goal_);
+}
+
+bool PlannerParticipant::may_take_off() const {
+  if (!coverage_ || !task_) return goal_.has_value();
+  if (vehicle_->legs_done >= coverage_->legs.size()) return false;
+  const Vec3 position = to_vec(vehicle_->position);
+  const bool at_start = (position - to_vec(task_->start)).head<2>().norm() <= kBeside_m;
+  if (vehicle_->legs_done == 0 && at_start && vehicle_->mode == VehicleMode::kLanded &&
+      !vehicle_->path_revision)
+    return true;
+  return charger_ && charger_->activity == data::ChargerActivity::kReady &&
+         (to_vec(charger_->position) - position).head<2>().norm() <= kBeside_m;
+}
+
+bool PlannerParticipant::lost_track() const {
+  if (log_.empty() || vehicle_->time_s < log_.begin_s()) return false;
+  return (log_.position(vehicle_->time_s) - to_vec(vehicle_->position)).norm() > kOffPath_m;
+}
+
+Status PlannerParticipant::act(double now_s) {
+  if (!has_mission() || !vehicle_ || keeper_.world() == nullptr) return {};
+  if (lost_track()) log_.clear();
+  log_.note(now_s);
+  const bool world_changed = keeper_.take_changed();
+  const bool changed = std::exchange(mission_changed_, false) || world_changed;
+  return is_on_ground(*vehicle_) ? act_on_ground(now_s, changed) : act_in_flight(now_s, changed);
+}
+
+Status PlannerParticipant::act_on_ground(double now_s, bool changed) {
+  const double grace_s = std::max(2.0, 0.5 * inbox_->time.rate());
+  if (!log_.empty()) {
+    const bool waits_for_start = vehicle_->time_s < log_.begin_s() + grace_s;
+    const bool is_over = vehicle_->time_s >= log_.end_s();
+    const bool not_taken = vehicle_->time_s >= log_.begin_s() + grace_s && !is_over;
+    if (is_over || not_taken) log_.clear();
+    if (waits_for_start && !is_over && !(changed && now_s < log_.begin_s())) {
+      changed_wall_s_ = 0.0;
+      return {};
+    }
+  }
+  if (!may_take_off() || clock_.now_s() < retry_wall_s_) {
+    changed_wall_s_ = 0.0;
+    return {};
+  }
+  return plan_from_ground(now_s);
+}
+
+Status PlannerParticipant::act_in_flight(double now_s, bool changed) {
+  const bool wants_better = log_.empty() || verdict_ == Verdict::kContingency ||
+                            (!log_.lands() && coverage_ &&
+                             log_.end_s() - now_s < 4.0 * lead_s(inbox_->time.rate(), options_.budget_ms));
+  const bool retries = wants_better && clock_.now_s() >= retry_wall_s_;
+  if (!changed && !retries) return {};
+  if (!changed || log_.empty()) return replan(now_s);
+  const ClearanceQuery query(keeper_.world());
+  const bool legs_hold =
+      !coverage_ || !published_ || published_->basis.coverage_revision == coverage_->revision;
+  const bool goal_holds =
+      coverage_ || !goal_ || !published_ || published_->basis.goal_revision == goal_->revision;
+  if (legs_hold && goal_holds && verdict_ == Verdict::kCertified && now_s <= log_.end_s() &&
+      certify(log_.rest(now_s), query, limits_).certified) {
+    if (changed_wall_s_ > 0.0) status_->add_latency_ms(1e3 * (clock_.now_s() - changed_wall_s_));
+    changed_wall_s_ = 0.0;
+    return {};
+  }
+  return replan(now_s);
+}
+
+RouteStart PlannerParticipant::start_of_route(double join_s) const {
+  RouteStart start;
+  start.leg = vehicle_->legs_done;
+  if (log_.empty()) {
+    start.position_m =
+        to_vec(vehicle_->position) + to_vec(vehicle_->velocity_mps) * (join_s - vehicle_->time_s);
+    start.leg_started = vehicle_->mode == VehicleMode::kCovering && vehicle_->leg_index == start.leg;
+    return start;
+  }
+  start.position_m = log_.position(join_s);
+  start.leg = std::max(start.leg, log_.target(join_s).leg_index);
+  if (coverage_ && start.leg < coverage_->legs.size()) {
+    start.leg_started = log_.has_begun(start.leg, to_vec(coverage_->legs[start.leg].entry), join_s);
+  }
+  return start;
+}
+
+std::vector<RoutePoint> PlannerParticipant::route_from(const RouteStart& start, double join_s) const {
+  const Terrain& terrain = keeper_.world_now()->terrain();
+  if (!start.on_ground && !log_.empty() && join_s < log_.end_s() &&
+      log_.target(join_s).phase == Phase::kLanding) {
+    std::vector<RoutePoint> route;
+    for (const TimedWaypoint& w : log_.rest(join_s))
+      route.push_back({w.position_m, w.phase, w.leg_index, 0.0});
+    return route;
+  }
+  if (coverage_ && task_) return sortie_route(*coverage_, sortie_, start, terrain, limits_);
+  return goal_route(*goal_, start, terrain, limits_, kGoalHold_s);
+}
+
+Status PlannerParticipant::plan_from_ground(double now_s) {
+  RouteStart start;
+  start.position_m = to_vec(vehicle_->position);
+  start.on_ground = true;
+  start.leg = vehicle_->legs_done;
+  if (coverage_ && task_) sortie_ = sortie_from(*coverage_, start.leg, start.position_m);
+  log_.clear();
+  const double begin_s = now_s + (1 << late_) * lead_s(inbox_->time.rate(), options_.budget_ms);
+  const double wall_s = clock_.now_s();
+  const StopCondition stop{.clock = &clock_, .deadline_s = wall_s + 1e-3 * options_.budget_ms};
+  const ReplanReport report = replanner_->plan(
+      keeper_.world(), {start.position_m, begin_s, Vec3::Zero(), route_from(start, begin_s)}, stop);
+  retry_wall_s_ = clock_.now_s() + kRetry_s;
+  // On the ground a contingency is to stay there.
+  if (report.verdict != Verdict::kCertified) {
+    fail(report);
+    return {};
+  }
+  return publish(report, now_s, 1e3 * (clock_.now_s() - wall_s));
+}
+
+Status PlannerParticipant::replan(double now_s) {
+  const double wall_s = clock_.now_s();
+  const double lead = (1 << late_) * lead_s(inbox_->time.rate(), options_.budget_ms);
+  ReplanReport report;
+  // Where the path is shut within the lead, a shorter one may still get round.
+  for (const double share : {1.0, 0.5}) {
+    const double join_s = now_s + share * lead;
+    const RouteStart start = start_of_route(join_s);
+    std::vector<RoutePoint> route = route_from(start, join_s);
+    if (route.empty()) return {};
+    const Vec3 velocity = log_.empty() ? to_vec(vehicle_->velocity_mps) : log_.velocity(join_s);
+    const StopCondition stop{.clock = &clock_, .deadline_s = wall_s + 1e-3 * options_.budget_ms};
+    report = replanner_->plan(keeper_.world(), {start.position_m, join_s, velocity, std::move(route)}, stop);
+    if (report.verdict != Verdict::kNoSafePath) break;
+  }
+  retry_wall_s_ = clock_.now_s() + kRetry_s;
+  if (report.verdict == Verdict::kNoSafePath) {
+    fail(report);
+    return {};
+  }
+  // A contingency that is being flown and still holds is not traded for another one.
+  if (report.verdict == Verdict::kContingency && verdict_ == Verdict::kContingency && !log_.empty() &&
+      now_s < log_.end_s() - 2.0 * lead &&
+      certify(log_.rest(now_s), ClearanceQuery(keeper_.world()), limits_).certified) {
+    changed_wall_s_ = 0.0;
+    return {};
+  }
+  return publish(report, now_s, 1e3 * (clock_.now_s() - wall_s));
+}
+
+void PlannerParticipant::fail(const ReplanReport& report) {
+  changed_wall_s_ = 0.0;
+  status_->set_health(data::Health::kDegraded, "no safe path: " + report.reason);
+}
+
+Status PlannerParticipant::publish(const ReplanReport& report, double now_s, double replan_ms) {
+  const double begin_s = report.path.front().time_s;
+  if (inbox_->time.running() && inbox_->time.now_s(clock_.now_s()) > begin_s) {
+    // Too late to be joined: again with a longer lead.
+    late_ = std::min(late_ + 1, 3);
+    retry_wall_s_ = 0.0;
+    mission_changed_ = true;
+    return {};
+  }
+  late_ = 0;
+  data::PathPlan plan;
+  plan.vehicle_id = options_.vehicle_id;
+  plan.revision = ++revision_;
+  plan.basis.coverage_revision = coverage_ && task_ ? coverage_->revision : 0;
+  plan.basis.goal_revision = !(coverage_ && task_) && goal_ ? goal_->revision : 0;
+  plan.basis.terrain_revision = keeper_.terrain_revision();
+  plan.basis.obstacle_revision = keeper_.obstacle_revision();
+  plan.basis.vehicle_time_s = vehicle_->time_s;
+  plan.verdict = to_data(report.verdict);
+  plan.reason = report.reason.substr(0, kMaxReason);
+  plan.lands = report.lands;
+  plan.length_m = length_m(report.path);
+  plan.duration_s = report.path.back().time_s - begin_s;
+  plan.clearance_min_m = std::min(report.certificate.clearance_min_m, 1e6);
+  plan.replan_ms = replan_ms;
+  plan.waypoints = to_data(report.path);
+  if (plan.waypoints.size() > data::kMaxWaypoints) plan.waypoints.resize(data::kMaxWaypoints);
+  if (Status sent = publisher_->publish(plan); !sent) return sent;
+  log_.join(to_path(plan.waypoints), now_s);
+  verdict_ = report.verdict;
+  published_wall_s_ = clock_.now_s();
+  status_->count_replan();
+  status_->add_latency_ms(changed_wall_s_ > 0.0 ? 1e3 * (published_wall_s_ - changed_wall_s_) : replan_ms);
+  changed_wall_s_ = 0.0;
+  const bool certified = report.verdict == Verdict::kCertified;
+  status_->set_health(certified ? data::Health::kReady : data::Health::kDegraded, plan.reason);
+  published_ = std::move(plan);
+  return {};
+}
+
+Status PlannerParticipant::step() {
+  const double wall_s = clock_.now_s();
+  last_step_wall_s_ = wall_s;
+  take_inbox();
+  const double now_s = inbox_->time.now_s(wall_s);
+  if (now_s < last_now_s_ - kRestart_s) {
+    log_.clear();
+    published_.reset();
+  }
+  last_now_s_ = now_s;
+  if (!inbox_->time.ended()) {
+    if (Status acted = act(now_s); !acted) return acted;
+  }
+  if (published_ && clock_.now_s() >= published_wall_s_ + kRepublish_s) {
+    published_wall_s_ = clock_.now_s();
+    if (published_->revision == revision_) return publisher_->publish(*published_);
+  }
+  return {};
+}
+
+Status PlannerParticipant::beat() {
+  if (clock_.now_s() - last_step_wall_s_.load() < kStuck_s) publisher_->assert_liveliness();
+  return status_->step();
+}
+
+}  // namespace swallowtail::planner
