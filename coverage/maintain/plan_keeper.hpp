@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -61,6 +62,10 @@ class PlanKeeper {
   bool on_vehicle(const AircraftView& vehicle);
   bool on_battery(const BatteryView& battery);
   bool on_robot(const RobotView& robot);
+  /// For a plan made when others were in force before: its revision is above theirs.
+  void set_revision_above(std::uint32_t revision) { plan_.revision = std::max(plan_.revision, revision + 1); }
+  /// For a keeper that started in the middle of a mission without the plan that was flown: the unknown flown legs stand in the prefix as points, and everything is flown again.
+  void start_over_after(const AircraftView& vehicle);
   void set_reaction(double reaction_s) { params_.reaction_s = reaction_s; }
 
   const LivePlan& plan() const { return plan_; }

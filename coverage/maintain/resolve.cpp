@@ -82,6 +82,15 @@ Vec3 PlanKeeper::point_ahead() const {
 
 void PlanKeeper::adopt(RestPlan rest, const std::string& reason) {
   plan_.legs.resize(plan_.legs_done);
+  // What was to follow the last flown leg follows no longer: aloft it flies on, on the ground it stands where it is.
+  if (plan_.legs_done > 0 && !rest.legs.empty()) {
+    Transfer& after = plan_.legs.back().transfer;
+    if (!vehicle_->on_ground()) {
+      after = Transfer::kFF;
+    } else if (after == Transfer::kEnd || !at_meeting(vehicle_->position_m)) {
+      after = Transfer::kFDUF;
+    }
+  }
   plan_.legs.insert(plan_.legs.end(), rest.legs.begin(), rest.legs.end());
   plan_.rendezvous = std::move(rest.rendezvous);
   plan_.end_s = rest.end_s;
@@ -235,6 +244,25 @@ bool PlanKeeper::solve_docked(const std::string& reason) {
   found->rendezvous.insert(found->rendezvous.begin(), meeting);
   adopt(std::move(*found), reason);
   return true;
+}
+
+void PlanKeeper::start_over_after(const AircraftView& vehicle) {
+  Leg point = point_leg(vehicle.position_m);
+  point.transfer = Transfer::kFF;
+  std::vector<Leg> prefix(vehicle.legs_done, point);
+  plan_.legs.insert(plan_.legs.begin(), prefix.begin(), prefix.end());
+  for (Rendezvous& meeting : plan_.rendezvous) meeting.id += static_cast<std::uint32_t>(2 * vehicle.legs_done);
+  shift_times(plan_, vehicle.legs_done, vehicle.time_s);
+  plan_.legs_done = vehicle.legs_done;
+  plan_.reason = "made anew in the middle of the mission";
+  vehicle_ = vehicle;
+  has_flown_ = true;
+  if (!vehicle.on_ground()) {
+    solve_in_flight(plan_.reason);
+  } else {
+    landed_since_s_ = vehicle.time_s;
+    solve_on_ground(plan_.reason);
+  }
 }
 
 bool PlanKeeper::top_up_charge() {
