@@ -133,7 +133,7 @@ Status SimParticipant::publish_world() {
     const auto revision = simulation_->timeline().revision(obstacle.id);
     if (Status sent = obstacles_->publish(to_sample(obstacle, revision)); !sent) return sent;
   }
-  const Status asked = mission.task ? tasks_->publish(*mission.task) : goals_->publish(*mission.goal);
+  Status asked = mission.task ? tasks_->publish(*mission.task) : goals_->publish(*mission.goal);
   if (!asked) return asked;
   return publish_due(clock_.now_s());
 }
