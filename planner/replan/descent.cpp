@@ -217,7 +217,9 @@ void minimise(Lagrangian& lagrangian, Eigen::VectorXd& x, int steps) {
 DescentResult descend(const DetourProblem& problem, const Eigen::VectorXd& start,
                       std::uint64_t max_evaluations, const DescentParams& params) {
   DescentResult result{start, problem.value(problem.cost(start)), 1};
-  Lagrangian lagrangian(problem, max_evaluations > 2 ? max_evaluations - 2 : 0);
+  // One judgement at the start, one after each round, and one evaluation before each tightening.
+  const std::uint64_t besides = 2 + 2 * static_cast<std::uint64_t>(params.rounds);
+  Lagrangian lagrangian(problem, max_evaluations > besides ? max_evaluations - besides : 0);
   Eigen::VectorXd x = start;
   Eigen::VectorXd gradient;
   for (int round = 0; round < params.rounds && !lagrangian.spent(); ++round) {

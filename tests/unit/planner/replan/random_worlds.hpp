@@ -10,7 +10,8 @@
 #include "planner/path/path.hpp"
 #include "planner/world/world.hpp"
 
-/// Seeded worlds and routes, and a judge that shares no code with the planner: it samples a path densely and measures distances to solids point by point.
+/// Seeded worlds and routes, and a judge that shares no code with the planner: it samples a path densely and
+/// measures distances to solids point by point.
 namespace swallowtail::planner::random_worlds {
 
 struct Scene {
@@ -78,7 +79,9 @@ inline Obstacle random_obstacle(Rng& rng, std::uint32_t id, const SceneOptions& 
   return o;
 }
 
-inline double horizontal_gap(const Vec3& p, const Vec3& q) { return std::hypot(p.x() - q.x(), p.y() - q.y()); }
+inline double horizontal_gap(const Vec3& p, const Vec3& q) {
+  return std::hypot(p.x() - q.x(), p.y() - q.y());
+}
 
 inline Scene make_scene(std::uint64_t seed, const SceneOptions& options) {
   Rng rng(seed);
@@ -93,7 +96,9 @@ inline Scene make_scene(std::uint64_t seed, const SceneOptions& options) {
     Obstacle o = random_obstacle(rng, id, options, moves);
     // The columns above take-off and landing stay free of what stands.
     const double keep = bounding_radius_m(o.shape) + 4.0;
-    if (!moves && (horizontal_gap(o.position_m, scene.start) < keep || horizontal_gap(o.position_m, goal) < keep)) continue;
+    if (!moves &&
+        (horizontal_gap(o.position_m, scene.start) < keep || horizontal_gap(o.position_m, goal) < keep))
+      continue;
     o.id = id++;
     obstacles.push_back(o);
   }
@@ -142,14 +147,16 @@ inline std::string dense_check(const TimedPath& path, const World& world, const 
     if (!(duration >= 0.0)) return "time goes back at " + std::to_string(i);
     const Vec3 move = path[i].position_m - path[i - 1].position_m;
     const double level = std::hypot(move.x(), move.y());
-    if (level > 1e-5 && move.norm() > limits.cruise_speed_mps * duration * 1.00001) return "too fast at " + std::to_string(i);
+    if (level > 1e-5 && move.norm() > limits.cruise_speed_mps * duration * 1.00001)
+      return "too fast at " + std::to_string(i);
     const auto steps = static_cast<int>(std::ceil(std::max(duration / 0.1, move.norm() / 0.3))) + 1;
     const bool near_ground = path[i].phase == Phase::kTakeOff || path[i].phase == Phase::kLanding;
     for (int k = 0; k <= steps; ++k) {
       const double s = static_cast<double>(k) / steps;
       const Vec3 p = path[i - 1].position_m + s * move;
       const double t = path[i - 1].time_s + s * duration;
-      if (!near_ground && p.z() - world.terrain().height_at(p.x(), p.y()) < clearance - 1e-6) return "too low at " + std::to_string(i);
+      if (!near_ground && p.z() - world.terrain().height_at(p.x(), p.y()) < clearance - 1e-6)
+        return "too low at " + std::to_string(i);
       for (const Obstacle& o : world.obstacles()) {
         if (t > o.valid_until_s) continue;
         if (distance(o, p, t) < clearance + o.margin_m - 1e-3) {

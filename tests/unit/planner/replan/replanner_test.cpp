@@ -1,0 +1,157 @@
+#include "planner/replan/replanner.hpp"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+
+#include "tests/unit/planner/replan/random_worlds.hpp"
+
+namespace swallowtail::planner {
+namespace {
+
+constexpr std::uint64_t kBudget = 20000;
+
+Obstacle ball(std::uint32_t id, const Vec3& at, double radius, const Vec3& velocity = Vec3::Zero()) {
+  Obstacle o;
+  o.id = id;
+  o.shape = Sphere{radius};
+  o.position_m = at;
+  o.velocity_mps = velocity;
+  return o;
+}
+
+std::shared_ptr<const World> world_of(std::vector<Obstacle> obstacles) {
+  return *World::make(Terrain::flat(0.0), std::move(obstacles),
+                      Bounds{Vec3(-200, -200, -1), Vec3(200, 300, 100)});
+}
+
+/// One strip of 100 m northwards, then one back.
+ReplanRequest two_strips() {
+  ReplanRequest request;
+  request.start_m = Vec3(0, 0, 20);
+  request.route = {{Vec3(0, 100, 20), Phase::kCover, 0, 0.0},
+                   {Vec3(10, 100, 20), Phase::kTransfer, 1, 0.0},
+                   {Vec3(10, 0, 20), Phase::kCover, 1, 0.0},
+                   {Vec3(10, 0, 0), Phase::kLanding, 1, 0.0}};
+  return request;
+}
+
+ReplanReport plan(const std::shared_ptr<const World>& world, const ReplanRequest& request) {
+  Replanner replanner(VehicleLimits{}, {});
+  const ReplanReport report = replanner.plan(world, request, {.max_evaluations = kBudget});
+  if (report.verdict != Verdict::kNoSafePath) {
+    EXPECT_EQ(random_worlds::dense_check(report.path, *world, VehicleLimits{}), "") << report.reason;
+    EXPECT_TRUE(report.certificate.certified);
+  }
+  return report;
+}
+
+TEST(Replanner, LeavesAClearRouteAlone) {
+  const ReplanReport report = plan(world_of({}), two_strips());
+  EXPECT_EQ(report.verdict, Verdict::kCertified);
+  EXPECT_EQ(report.reason, "route is clear");
+  EXPECT_TRUE(report.lands);
+  EXPECT_NEAR(length_m(report.path), 230.0, 1e-9);
+}
+
+TEST(Replanner, GoesRoundAndRejoinsTheStripRightAfter) {
+  const ReplanReport report = plan(world_of({ball(5, Vec3(0, 50, 20), 6)}), two_strips());
+  ASSERT_EQ(report.verdict, Verdict::kCertified);
+  EXPECT_EQ(report.detours, 1) << "the strip back passes it at 10 m";
+  EXPECT_LT(report.skipped_cover_m, 60.0);
+  bool on_strip_again = false;
+  for (std::size_t i = 1; i < report.path.size(); ++i) {
+    const TimedWaypoint& w = report.path[i];
+    on_strip_again = on_strip_again || (w.phase == Phase::kCover && w.leg_index == 0 &&
+                                        w.position_m.y() > 99.0 && report.path[i - 1].position_m.y() < 70.0);
+  }
+  EXPECT_TRUE(on_strip_again);
+}
+
+TEST(Replanner, WaitsOnAStripForWhatPasses) {
+  // It crosses the strip when the aircraft gets there.
+  const ReplanReport report =
+      plan(world_of({ball(9, Vec3(-50, 60, 20), 4, Vec3(50.0 / 7.5, 0, 0))}), two_strips());
+  ASSERT_EQ(report.verdict, Verdict::kCertified);
+  EXPECT_GE(report.waits, 1);
+  EXPECT_EQ(report.detours, 0);
+  EXPECT_EQ(report.skipped_cover_m, 0.0);
+  EXPECT_NE(report.reason.find("for obstacle 9"), std::string::npos) << report.reason;
+}
+
+TEST(Replanner, EvadesWhatComesAlongTheStrip) {
+  const ReplanReport report = plan(world_of({ball(9, Vec3(0, 160, 20), 4, Vec3(0, -6, 0))}), two_strips());
+  ASSERT_EQ(report.verdict, Verdict::kCertified) << report.reason;
+  EXPECT_GE(report.detours, 1);
+}
+
+TEST(Replanner, SkipsAStripEntryThatIsBlocked) {
+  const ReplanReport report = plan(world_of({ball(3, Vec3(10, 100, 20), 5)}), two_strips());
+  ASSERT_EQ(report.verdict, Verdict::kCertified) << report.reason;
+  EXPECT_NE(report.reason.find("skips"), std::string::npos) << report.reason;
+  EXPECT_GT(report.skipped_cover_m, 5.0);
+}
+
+TEST(Replanner, HoldsWhereTheGoalIsBlocked) {
+  const ReplanReport report = plan(world_of({ball(4, Vec3(10, 0, 8), 6)}), two_strips());
+  ASSERT_EQ(report.verdict, Verdict::kContingency);
+  EXPECT_NE(report.reason.find("obstacle 4"), std::string::npos) << report.reason;
+  EXPECT_EQ(report.path.back().phase, Phase::kHold);
+  EXPECT_FALSE(report.lands);
+  EXPECT_GE(report.path.back().time_s - report.path[report.path.size() - 2].time_s, 5.0);
+}
+
+TEST(Replanner, DoesNotHoldWhereSomethingWillCome) {
+  // The goal is walled in by a box that is there to stay; a ball sweeps the strip it would hold on.
+  Obstacle lid;
+  lid.id = 4;
+  lid.shape = Box{Vec3(30, 20, 19), 0.0};
+  lid.position_m = Vec3(10, 0, 9);
+  ReplanRequest request = two_strips();
+  request.start_m = Vec3(0, 60, 20);
+  const ReplanReport report = plan(world_of({lid, ball(6, Vec3(10, 140, 20), 6, Vec3(0, -2, 0))}), request);
+  ASSERT_NE(report.verdict, Verdict::kNoSafePath) << report.reason;
+}
+
+TEST(Replanner, HasNoPathFromInsideAnObstacle) {
+  const ReplanReport report = plan(world_of({ball(2, Vec3(0, 0, 20), 5)}), two_strips());
+  EXPECT_EQ(report.verdict, Verdict::kNoSafePath);
+  EXPECT_TRUE(report.path.empty());
+  EXPECT_FALSE(report.reason.empty());
+}
+
+TEST(Replanner, StopsFirstIfTheTurnIsTooSharp) {
+  ReplanRequest request = two_strips();
+  request.start_velocity_mps = Vec3(0, -8, 0);
+  const ReplanReport report = plan(world_of({}), request);
+  ASSERT_EQ(report.verdict, Verdict::kCertified);
+  EXPECT_EQ(report.path[1].position_m, request.start_m);
+  EXPECT_GE(report.path[1].time_s - report.path[0].time_s +
+                (report.path[2].position_m == request.start_m ? 1.0 : 0.0),
+            kStopToTurn_s);
+}
+
+TEST(Replanner, FallsBackWhenThereIsNoTimeAtAll) {
+  const std::atomic<bool> asked{true};
+  const auto world = world_of({ball(5, Vec3(0, 50, 20), 6)});
+  Replanner replanner(VehicleLimits{}, {});
+  const ReplanReport report = replanner.plan(world, two_strips(), {.stop_requested = &asked});
+  EXPECT_EQ(report.verdict, Verdict::kContingency);
+  EXPECT_EQ(random_worlds::dense_check(report.path, *world, VehicleLimits{}), "");
+}
+
+TEST(Replanner, AsksForNothingItCannotCheck) {
+  Replanner replanner(VehicleLimits{}, {});
+  ReplanRequest request = two_strips();
+  request.route[1].position_m.x() = std::nan("");
+  EXPECT_EQ(replanner.plan(world_of({}), request, {}).verdict, Verdict::kNoSafePath);
+  EXPECT_EQ(replanner.plan(world_of({}), {}, {}).verdict, Verdict::kNoSafePath);
+  EXPECT_EQ(replanner.plan(nullptr, two_strips(), {}).verdict, Verdict::kNoSafePath);
+  EXPECT_EQ(Replanner({.cruise_speed_mps = -1.0}, {}).plan(world_of({}), two_strips(), {}).verdict,
+            Verdict::kNoSafePath);
+  EXPECT_EQ(Replanner({}, {.detour_waypoints = 0}).plan(world_of({}), two_strips(), {}).verdict,
+            Verdict::kNoSafePath);
+}
+
+}  // namespace
+}  // namespace swallowtail::planner
