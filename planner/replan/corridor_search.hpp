@@ -14,7 +14,7 @@
 namespace swallowtail::planner {
 
 struct CorridorParams {
-  std::string algorithm = "boa";
+  std::string algorithm{"boa"};
   int population = 24;
   /// Of the swarm in each round, times the population; the descent comes on top. Ours.
   int iterations_per_round = 30;

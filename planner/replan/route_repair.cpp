@@ -17,7 +17,40 @@ constexpr std::array kStandOffs{0.5, 2.0, 6.0, 20.0, 60.0};
 constexpr double kWaitStep_s = 1.0;
 /// Waits are longer than the stop that a turn needs.
 constexpr double kShortestWait_s = 1.5;
+/// What counts as free keeps this share of the clearance more.
+constexpr double kFreeMargin = 0.02;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// Before the landing's vertical part, if the route ends with one.
+double latest_rejoin_s(const TimedPath& path) {
+  double latest_s = path.back().time_s;
+  for (std::size_t i = path.size() - 1; i > 0 && path[i].phase == Phase::kLanding; --i)
+    latest_s = path[i - 1].time_s;
+  return latest_s;
+}
+
+DetourEnds detour_ends(const TimedRoute& timed, double leave_s, double rejoin_s) {
+  DetourEnds ends;
+  ends.from_m = position_at(timed.path, leave_s);
+  ends.to_m = position_at(timed.path, rejoin_s);
+  ends.from_time_s = leave_s;
+  if (leave_s > timed.path.front().time_s) {
+    const std::size_t i = timed.segment_at(leave_s);
+    ends.before = timed.path[i].position_m - timed.path[i - 1].position_m;
+  }
+  const std::size_t j = timed.segment_at(rejoin_s);
+  ends.after = timed.path[j].position_m - timed.path[j - 1].position_m;
+  return ends;
+}
+
+/// Waypoints that lie on each other are one.
+std::vector<Vec3> distinct(const std::vector<Vec3>& waypoints, double apart_m) {
+  std::vector<Vec3> corners;
+  for (const Vec3& p : waypoints) {
+    if (corners.empty() || (p - corners.back()).norm() > apart_m) corners.push_back(p);
+  }
+  return corners;
+}
 
 bool is_ground_phase(Phase phase) { return phase == Phase::kTakeOff || phase == Phase::kLanding; }
 
@@ -51,6 +84,10 @@ std::optional<Violation> RouteRepair::first_violation(const TimedPath& path, std
   return first;
 }
 
+double RouteRepair::step_s() const {
+  return std::max(0.25 * limits_.clearance_m(), 0.05) / limits_.cruise_speed_mps;
+}
+
 bool RouteRepair::point_blocked(const TimedRoute& timed, double time_s, double margin_m) const {
   const Vec3 p = position_at(timed.path, time_s);
   const TimedWaypoint& segment = timed.path[timed.segment_at(time_s)];
@@ -82,13 +119,12 @@ Blockage RouteRepair::find_blockage(const TimedRoute& timed, const Violation& vi
     blockage.obstacle_id = field_.id(i);
     blockage.moves = field_.moves(i) || std::isfinite(world_->obstacles()[i].valid_until_s);
   }
-  const double step_s = std::max(0.25 * limits_.clearance_m(), 0.05) / limits_.cruise_speed_mps;
-  const double margin_m = 0.02 * limits_.clearance_m();
+  const double margin_m = kFreeMargin * limits_.clearance_m();
   double begins_s = blocked_s;
-  while (begins_s > path.front().time_s && point_blocked(timed, begins_s, margin_m)) begins_s -= step_s;
+  while (begins_s > path.front().time_s && point_blocked(timed, begins_s, margin_m)) begins_s -= step_s();
   double ends_s = blocked_s;
   const double end_s = timed.end_time_s();
-  while (ends_s <= end_s && point_blocked(timed, ends_s, margin_m)) ends_s += step_s;
+  while (ends_s <= end_s && point_blocked(timed, ends_s, margin_m)) ends_s += step_s();
   blockage.begins_s = std::max(begins_s, path.front().time_s);
   blockage.ends_s = ends_s > end_s ? kInfinity : ends_s;
   return blockage;
@@ -174,37 +210,18 @@ std::optional<RouteRepair::Candidate> RouteRepair::try_detour(const TimedRoute& 
   const double reach = kReaches[static_cast<std::size_t>(attempt)] * (blockage.on_cover ? 1.0 : 3.0);
   const double reach_s = reach * limits_.clearance_m() / limits_.cruise_speed_mps;
   const double leave_s = std::max(earliest_s, blockage.begins_s - reach_s);
-  double latest_s = timed.end_time_s();
-  if (timed.path.back().phase == Phase::kLanding) {
-    for (std::size_t i = timed.path.size() - 1; i > 0 && timed.path[i].phase == Phase::kLanding; --i) {
-      latest_s = timed.path[i - 1].time_s;
-    }
-  }
-  const double step_s = std::max(0.25 * limits_.clearance_m(), 0.05) / limits_.cruise_speed_mps;
+  const double latest_s = latest_rejoin_s(timed.path);
   double rejoin_s = std::min(latest_s, blockage.ends_s + reach_s);
-  while (rejoin_s < latest_s && point_blocked(timed, rejoin_s, 0.02 * limits_.clearance_m()))
-    rejoin_s += step_s;
+  while (rejoin_s < latest_s && point_blocked(timed, rejoin_s, kFreeMargin * limits_.clearance_m()))
+    rejoin_s += step_s();
   rejoin_s = std::min(rejoin_s, latest_s);
   if (rejoin_s <= leave_s) return std::nullopt;
-
-  DetourEnds ends;
-  ends.from_m = position_at(timed.path, leave_s);
-  ends.to_m = position_at(timed.path, rejoin_s);
-  ends.from_time_s = leave_s;
-  if (leave_s > timed.path.front().time_s) {
-    const std::size_t i = timed.segment_at(leave_s);
-    ends.before = timed.path[i].position_m - timed.path[i - 1].position_m;
-  }
-  const std::size_t j = timed.segment_at(rejoin_s);
-  ends.after = timed.path[j].position_m - timed.path[j - 1].position_m;
+  const DetourEnds ends = detour_ends(timed, leave_s, rejoin_s);
   if ((ends.to_m - ends.from_m).norm() < 0.1 * limits_.clearance_m()) return std::nullopt;
 
   const DetourProblem problem(field_, limits_, ends, params_.detour_waypoints, DetourObjective::kTime);
-  CorridorParams search;
-  search.population = params_.population;
-  search.iterations_per_round = 12;
-  search.max_rounds = 3;
-  search.idle_rounds = 0;
+  const CorridorParams search{
+      .population = params_.population, .iterations_per_round = 12, .max_rounds = 3, .idle_rounds = 0};
   std::vector<std::vector<Vec3>> guesses;
   if (std::vector<Vec3> way = previous_way(ends.from_m, ends.to_m); !way.empty()) {
     guesses.push_back(resample(ends.from_m, std::move(way), ends.to_m, params_.detour_waypoints));
@@ -213,21 +230,17 @@ std::optional<RouteRepair::Candidate> RouteRepair::try_detour(const TimedRoute& 
   if (stop.max_evaluations != std::numeric_limits<std::uint64_t>::max()) {
     stop.max_evaluations -= std::min(stop.max_evaluations, evaluations_);
   }
-  std::optional<Candidate> best;
   const std::uint64_t seed = params_.seed + 7919ULL * static_cast<std::uint64_t>(detours_ + waits_) +
                              static_cast<std::uint64_t>(attempt);
-  Result<CorridorReport> found =
-      search_corridor(problem, search, stop, seed, guesses, [&](const Corridor& corridor, std::uint64_t) {
-        std::vector<Vec3> corners;
-        for (const Vec3& p : corridor.waypoints) {
-          if (corners.empty() || (p - corners.back()).norm() > 1e-3 * problem.distance_m())
-            corners.push_back(p);
-        }
-        std::optional<Candidate> candidate = judge(timed, {leave_s, rejoin_s, 0.0, false, corners});
-        if (!candidate) return false;
-        if (!best || candidate->rejoin_s < best->rejoin_s) best = std::move(candidate);
-        return true;
-      });
+  std::optional<Candidate> best;
+  const auto accept = [&](const Corridor& corridor, std::uint64_t) {
+    const std::vector<Vec3> corners = distinct(corridor.waypoints, 1e-3 * problem.distance_m());
+    std::optional<Candidate> candidate = judge(timed, {leave_s, rejoin_s, 0.0, false, corners});
+    if (!candidate) return false;
+    if (!best || candidate->rejoin_s < best->rejoin_s) best = std::move(candidate);
+    return true;
+  };
+  Result<CorridorReport> found = search_corridor(problem, search, stop, seed, guesses, accept);
   if (found) evaluations_ += found->evaluations;
   return best;
 }

@@ -48,6 +48,8 @@ class RouteRepair {
     double waited_s = 0.0;
   };
 
+  /// Between two looks along a route, where a blockage's ends are sought.
+  double step_s() const;
   bool point_blocked(const TimedRoute& timed, double time_s, double margin_m) const;
   Blockage find_blockage(const TimedRoute& timed, const Violation& violation) const;
   bool repair_stretch(TimedRoute& timed, const Violation& violation);
