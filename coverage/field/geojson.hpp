@@ -16,15 +16,15 @@ enum class FieldFrame { kShared, kPerField };
 struct FieldFileOptions {
   FieldFrame frame = FieldFrame::kShared;
   /// Of the local frame; without it the middle of the file's extent (elevation 0). Not used by files in local metres.
-  std::optional<planner::GeoOrigin> origin;
+  std::optional<planner::GeoOrigin> origin{};
   double default_height_m = 20.0;
   /// Height above ground by the value of the property `class`. A property `height_m` wins over it.
-  std::map<std::string, double> class_heights_m;
+  std::map<std::string, double> class_heights_m{};
 };
 
 struct FieldFile {
   std::vector<Field> fields;                  ///< ids 1 … n in the file's order; names from the property or feature id
-  std::optional<planner::GeoOrigin> origin;   ///< of the frame the fields share; none: local metres, or a frame per field
+  std::optional<planner::GeoOrigin> origin{};   ///< of the frame the fields share; none: local metres, or a frame per field
   std::vector<planner::GeoOrigin> origins;    ///< one per field with FieldFrame::kPerField, else empty
 };
 

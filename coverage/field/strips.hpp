@@ -9,7 +9,7 @@ namespace swallowtail::coverage {
 
 struct StripParams {
   double sensor_width_m = 10.0;
-  std::optional<double> sweep_rad;  ///< flying direction, counter-clockwise from east; without it the cheapest is chosen
+  std::optional<double> sweep_rad{};  ///< flying direction, counter-clockwise from east; without it the cheapest is chosen
   double piece_cost_m = 25.0;       ///< see SweepParams
 };
 Status validate(const StripParams& params);

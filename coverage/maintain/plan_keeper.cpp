@@ -12,7 +12,9 @@ constexpr double kShiftEvery_s = 30.0;
 constexpr double kRetryEvery_s = 5.0;
 constexpr double kWorseShare = 0.01;     ///< of the capacity: a slack that fell by less since the last solution is no news
 constexpr double kGapOverlap_m = 0.5;
-constexpr double kLeastSortie = 20.0;    ///< energy of a sortie from which consumption is learnt
+constexpr double kLeastShare = 0.25;     ///< of the capacity that a flight must take before consumption is learnt from it
+constexpr double kLeastShareAloft = 0.1;  ///< the same in flight, when the energy is known not to do
+constexpr double kBiasStep = 0.02;       ///< by which consumption is taken to be higher when there is too little to learn from
 constexpr double kMostBias = 1.25;
 constexpr double kLossRatio = 1.4;       ///< more than this is a loss, not consumption
 
@@ -147,6 +149,7 @@ bool PlanKeeper::on_vehicle(const AircraftView& vehicle) {
     pass_meeting(before->position_m);
     has_flown_ = true;
     solved_slack_.reset();
+    lands_at_once_ = false;
     take_off_energy_ = battery_ ? battery_->energy : -1.0;
     follow_progress(vehicle);
     if (const auto cost = to_next_landing()) take_off_cost_ = *cost;
@@ -190,16 +193,33 @@ bool PlanKeeper::on_robot(const RobotView& robot) {
   return true;
 }
 
+/// Consumption so far against what was predicted for the way so far. A sudden loss teaches nothing.
+void PlanKeeper::learn_aloft(const FlightCost& left) {
+  const double predicted = take_off_cost_.energy - left.energy;
+  if (take_off_energy_ <= 0.0 || predicted < kLeastShareAloft * task_.battery.capacity) {
+    bias_ = std::min(bias_ + kBiasStep, kMostBias);
+    return;
+  }
+  const double ratio = (take_off_energy_ - energy_now()) / predicted;
+  if (ratio < kLossRatio) bias_ = std::clamp(std::max(bias_, ratio), 1.0, kMostBias);
+}
+
 /// In flight: does the energy reach the next landing?
 bool PlanKeeper::review_flight() {
-  if (vehicle_->mode == AircraftMode::kLanding) return false;
+  if (vehicle_->mode == AircraftMode::kLanding || lands_at_once_) return false;
   const auto cost = to_next_landing();
   if (!cost) return false;
-  const double slack = energy_now() - cost->energy * bias_ - task_.battery.reserve;
+  double slack = energy_now() - cost->energy * bias_ - task_.battery.reserve;
   if (slack >= cost->energy * params_.trigger_margin) return false;
+  learn_aloft(*cost);
+  slack = energy_now() - cost->energy * bias_ - task_.battery.reserve;
   if (solved_slack_ && slack >= *solved_slack_ - kWorseShare * task_.battery.capacity) return false;
   const bool changed = solve_in_flight("energy " + std::to_string(std::lround(energy_now())) + " does not reach the next landing");
   const auto after = to_next_landing();
+  if (changed && after) {
+    take_off_energy_ = energy_now();
+    take_off_cost_ = *after;
+  }
   solved_slack_ = after ? energy_now() - after->energy * bias_ - task_.battery.reserve : slack;
   return changed;
 }
@@ -212,7 +232,7 @@ bool PlanKeeper::may_retry() {
 }
 
 bool PlanKeeper::review_gaps() {
-  if (gaps_.empty() || vehicle_->mode == AircraftMode::kLanding || vehicle_->mode == AircraftMode::kTakingOff) return false;
+  if (gaps_.empty() || lands_at_once_ || vehicle_->mode == AircraftMode::kLanding || vehicle_->mode == AircraftMode::kTakingOff) return false;
   if (!may_retry()) return false;
   return solve_in_flight("a stretch was left out");
 }
@@ -221,8 +241,12 @@ bool PlanKeeper::review_ground() {
   if (bias_is_due_ && battery_ && battery_->time_s >= landed_since_s_) {
     bias_is_due_ = false;
     const double used = take_off_energy_ - battery_->energy;
-    if (take_off_energy_ > 0.0 && take_off_cost_.energy > kLeastSortie && used < kLossRatio * take_off_cost_.energy) {
+    if (take_off_energy_ > 0.0 && take_off_cost_.energy > kLeastShare * task_.battery.capacity && used < kLossRatio * take_off_cost_.energy) {
       bias_ = std::clamp(0.5 * (bias_ + used / take_off_cost_.energy), 1.0, kMostBias);
+    }
+    take_off_energy_ = -1.0;
+    if (bias_ < 1.01) {
+      bias_ = 1.0;
     }
   }
   if (!has_flown_) {

@@ -90,6 +90,7 @@ class PlanKeeper {
   void pass_meeting(const Vec3& from_m);
   bool may_retry();
   bool review_flight();
+  void learn_aloft(const FlightCost& left);
   bool review_ground();
   bool review_gaps();
   bool solve_in_flight(const std::string& reason);
@@ -128,6 +129,7 @@ class PlanKeeper {
   FlightCost take_off_cost_;
   double bias_ = 1.0;                   ///< consumption against prediction, as flown
   bool bias_is_due_ = false;
+  bool lands_at_once_ = false;          ///< until it has landed nothing else is decided
   std::optional<double> solved_slack_;  ///< energy to spare at the next landing when last solved for it
 };
 

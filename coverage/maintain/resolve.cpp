@@ -10,6 +10,8 @@ namespace {
 /// A robot that stands still for a reason unknown is taken to do so for a while yet.
 constexpr double kDelay_s = 30.0;
 constexpr double kBiasAllowance = 0.04;
+/// Of a flight under way less can still go wrong.
+constexpr double kAloftAllowance = 0.02;
 constexpr double kAboveGround_m = 1.0;
 
 double flat_distance(const Vec3& a, const Vec3& b) { return (a - b).head<2>().norm(); }
@@ -20,6 +22,7 @@ RestParams PlanKeeper::rest_params() const {
   RestParams out;
   out.stops = stop_params(task_, params_.planning);
   out.stops.energy_factor = std::max(out.stops.energy_factor, bias_ + kBiasAllowance);
+  out.stops.air_factor = bias_ + kAloftAllowance;
   out.schedules = params_.resolve_schedules;
   if (params_.planning.clock != nullptr) {
     out.stop.clock = params_.planning.clock;
@@ -138,6 +141,7 @@ bool PlanKeeper::solve_in_flight(const std::string& reason) {
   adopt(std::move(*found), reason);
   // The leg under way began where it began; its index stays.
   if (covering) plan_.legs[now].entry_m = current.entry_m;
+  if (!covering) track_.reset();
   if (covering && track_) track_->end_at(plan_.legs[now].exit_m);
   return true;
 }
@@ -177,6 +181,7 @@ bool PlanKeeper::land_at_once(std::vector<Leg> legs, const Vec3& at_m, const std
   }
   rest.legs.insert(rest.legs.begin(), first);
   adopt(std::move(rest), reason + "; lands at once");
+  lands_at_once_ = true;
   return true;
 }
 
@@ -220,6 +225,7 @@ bool PlanKeeper::solve_on_ground(const std::string& reason) {
   std::erase_if(found->rendezvous, [&](const Rendezvous& r) { return r.id <= meeting.id; });
   found->rendezvous.insert(found->rendezvous.begin(), meeting);
   adopt(std::move(*found), reason);
+  track_.reset();
   return true;
 }
 
@@ -243,6 +249,7 @@ bool PlanKeeper::solve_docked(const std::string& reason) {
   std::erase_if(found->rendezvous, [&](const Rendezvous& r) { return r.id <= meeting.id; });
   found->rendezvous.insert(found->rendezvous.begin(), meeting);
   adopt(std::move(*found), reason);
+  track_.reset();
   return true;
 }
 
@@ -273,9 +280,17 @@ bool PlanKeeper::top_up_charge() {
   const bool has_next = plan_.rendezvous.size() > 1;
   if (!has_next && plan_.legs.empty()) return false;
   const double lands_with = has_next ? plan_.rendezvous[1].energy_from : plan_.legs.back().energy_after - model().landing(plan_.legs.back().exit_m).energy;
+  // The sortie's consumption stays as predicted: both its ends are raised together.
   const double needs = task_.battery.reserve + (meeting.charge_to - lands_with) * (bias_ + kBiasAllowance);
   if (needs <= meeting.charge_to + 1.0) return false;
   if (needs > task_.battery.capacity) return may_retry() && solve_docked("consumption is higher than predicted");
+  const double more = needs - meeting.charge_to;
+  const std::size_t past = has_next ? plan_.rendezvous[1].id / 2 + 1 : plan_.legs.size();
+  for (std::size_t i = plan_.legs_done; i < past && i < plan_.legs.size(); ++i) {
+    plan_.legs[i].energy_before += more;
+    plan_.legs[i].energy_after += more;
+  }
+  if (has_next) plan_.rendezvous[1].energy_from += more;
   meeting.charge_to = needs;
   note_revision("charges more: consumption is higher than predicted");
   return true;

@@ -9,6 +9,7 @@ namespace {
 /// Positions further apart in time are joined only when the way between fits a straight flight.
 constexpr double kJoined_s = 1.0;
 constexpr double kStraightShare = 0.8;
+constexpr int kWatched = 3;  ///< so many positions at least tell that a leg was not flown
 
 }  // namespace
 
@@ -26,8 +27,10 @@ bool StripTrack::on_line(const Vec3& position_m) const {
 }
 
 void StripTrack::add(double time_s, const Vec3& position_m) {
-  const Sample now{time_s, along_m(position_m), on_line(position_m)};
+  const Sample now{time_s, along_m(position_m), on_line(position_m), position_m};
   if (last_ && now.time_s <= last_->time_s) return;
+  ++samples_;
+  if (last_) largest_move_m_ = std::max(largest_move_m_, (position_m - last_->position_m).norm());
   if (now.good) {
     seen_ = true;
     Gap piece{now.along_m, now.along_m};
@@ -63,7 +66,10 @@ std::vector<Gap> StripTrack::merged() const {
 }
 
 std::vector<Gap> StripTrack::gaps() const {
-  if (!seen_) return {};
+  if (!seen_) {
+    const bool watched = samples_ >= kWatched && largest_move_m_ < length_m() / 2.0;
+    return watched ? std::vector<Gap>{{0.0, length_m()}} : std::vector<Gap>{};
+  }
   const std::vector<Gap> flown = merged();
   const double end_slack = params_.gap_m + std::max(longest_step_m_, params_.speed_mps * 0.1);
   std::vector<Gap> out;

@@ -34,7 +34,7 @@ class StripTrack {
   double length_m() const { return (exit_m_ - entry_m_).norm(); }
   bool seen() const { return seen_; }
 
-  /// What is missing once the leg is said to be flown. Nothing when no position was seen on the way: then it is believed.
+  /// What is missing once the leg is said to be flown. When no position was on its line, all of it, unless positions came so seldom that none had to be: then it is believed.
   std::vector<Gap> gaps() const;
   /// How much from the entry on is flown without a gap; 0 when it was not begun at the entry.
   double flown_from_entry_m() const;
@@ -44,6 +44,7 @@ class StripTrack {
     double time_s;
     double along_m;
     bool good;
+    Vec3 position_m;
   };
   std::vector<Gap> merged() const;
 
@@ -52,6 +53,8 @@ class StripTrack {
   TrackParams params_;
   std::optional<Sample> last_;
   double longest_step_m_ = 0.0;
+  double largest_move_m_ = 0.0;  ///< between two positions, on the line or off
+  int samples_ = 0;
   bool seen_ = false;
   std::vector<Gap> flown_;
 };

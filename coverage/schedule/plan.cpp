@@ -24,7 +24,7 @@ double longest_leg_m(const Task& task, double height_m, const StopParams& stops)
   const double up = height_m / task.vehicle.climb_speed_mps * model.climb_per_s;
   const double down = height_m / task.vehicle.descent_speed_mps * model.descent_per_s;
   const double stopping = 2.0 * planner::kStopToTurn_s * model.hover_per_s;
-  const double left = (task.battery.capacity - task.battery.reserve) / stops.energy_factor - up - down - stopping;
+  const double left = (task.battery.capacity - task.battery.reserve - stops.spare) / stops.energy_factor - up - down - stopping;
   return kLengthShare * left / model.level_per_s * task.vehicle.cruise_speed_mps;
 }
 
@@ -76,7 +76,13 @@ Status validate(const Task& task) {
 }
 
 StopParams stop_params(const Task& task, const PlanOptions& options) {
-  return {task.battery, task.charger, 1.0 + options.energy_margin, options.lead_s};
+  StopParams out;
+  out.battery = task.battery;
+  out.charger = task.charger;
+  out.energy_factor = 1.0 + options.energy_margin;
+  out.spare = options.energy_spare * task.battery.capacity;
+  out.lead_s = options.lead_s;
+  return out;
 }
 
 FieldsCut cut_fields(const Task& task, const planner::Terrain& terrain, const PlanOptions& options) {
@@ -111,8 +117,8 @@ FieldsCut cut_fields(const Task& task, const planner::Terrain& terrain, const Pl
 Result<Plan> plan_coverage(const Task& task, const planner::Terrain& terrain, const PlanOptions& options) {
   const double began = options.clock != nullptr ? options.clock->now_s() : 0.0;
   if (const Status status = validate(task); !status) return status.error();
-  if (!is_within(options.energy_margin, 0.0, 1.0) || !is_non_negative(options.lead_s)) {
-    return bad_input("The energy margin must be 0 to 1 and the lead not negative.");
+  if (!is_within(options.energy_margin, 0.0, 1.0) || !is_within(options.energy_spare, 0.0, 0.5) || !is_non_negative(options.lead_s)) {
+    return bad_input("The energy margin must be 0 to 1, the spare 0 to 0.5 and the lead not negative.");
   }
   FieldsCut cut = cut_fields(task, terrain, options);
   Plan plan;

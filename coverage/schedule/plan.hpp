@@ -104,6 +104,7 @@ struct PlanOptions {
   gtsp::Mode mode = gtsp::Mode::kFast;
   const Clock* clock = nullptr;  ///< for wall times in the report; without it they are 0
   double energy_margin = 0.08;   ///< allowance for wind and noise: flights are predicted to take so much more
+  double energy_spare = 0.02;    ///< share of the capacity that landings keep besides the reserve
   double lead_s = 1.0;           ///< from the robot's ready until the aircraft leaves the ground
   FullGraph full_graph = FullGraph::kSkip;
   int threads = 1;

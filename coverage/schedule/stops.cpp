@@ -175,7 +175,9 @@ bool StopPlanner::Search::fly(int from, const FlightCost& flight, int to) {
   const double slack = robot_free ? start->robot_free_s - label.time_s : 0.0;
   const double wait = ends ? 0.0 : std::max(0.0, drive + slack - flight.time_s);
   const double grounded = battery.model.landed_per_s * (ends ? 0.0 : wait + charger.landing_s);
-  const double needs = battery.reserve + flight.energy * params->energy_factor + grounded;
+  const bool under_way = at_start && start->kind == StartKind::kAir && params->air_factor > 0.0;
+  const double allowance = under_way ? flight.energy * params->air_factor : flight.energy * params->energy_factor + params->spare;
+  const double needs = battery.reserve + allowance + grounded;
   if (needs > battery.capacity + kRounding) return false;
   if (!can_charge && needs > label.energy + kRounding) return false;
   Label next;
@@ -222,7 +224,7 @@ void StopPlanner::Search::expand(int id) {
   const double most = params->battery.capacity - params->battery.reserve;
   for (std::size_t last = first; last < size(); ++last) {
     const FlightCost flown = up + through(first, last);
-    if (flown.energy * params->energy_factor > most) break;
+    if (flown.energy > most) break;
     if (labels[static_cast<std::size_t>(id)].time_s + flown.time_s >= cutoff_s) break;
     const int exit_node = 2 * static_cast<int>(last) + 1;
     fly(id, flown + (last + 1 < size() ? links[last]->land_at_exit : end_landing), exit_node);

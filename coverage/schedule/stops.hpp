@@ -31,6 +31,8 @@ struct StopParams {
   Battery battery;
   Charger charger;
   double energy_factor = 1.08;  ///< a flight is begun only with so many times what it should take: allowance for wind and noise
+  double spare = 0.0;           ///< energy kept besides, for flights too short for a share to mean anything
+  double air_factor = 0.0;      ///< instead of energy_factor, and without the spare, for a flight already under way; 0: the same
   double lead_s = 1.0;          ///< from ready until the aircraft leaves the ground
 };
 

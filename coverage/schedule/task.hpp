@@ -22,7 +22,7 @@ struct Task {
   double height_tolerance_m = 2.0;
   double height_band_m = 0.0;  ///< ε of the layers [COV 4.1]
   int neighbours = 5;          ///< X [COV 4.1]
-  std::optional<double> sweep_rad;
+  std::optional<double> sweep_rad{};
   planner::VehicleLimits vehicle;
   Battery battery;
   Charger charger;

@@ -1,0 +1,82 @@
+#include "coverage/field/sub_cells.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace swallowtail::coverage {
+namespace {
+
+using testing::HasSubstr;
+
+Field square_field(double height_m = 20.0) { return {7, "square", {{{0, 0}, {100, 0}, {100, 40}, {0, 40}}, {}}, height_m}; }
+
+planner::Terrain slope(double rise) {
+  planner::TerrainGrid grid;
+  grid.origin_m = Vec2(-20, -20);
+  grid.cell_size_m = 5.0;
+  grid.rows = 20;
+  grid.cols = 30;
+  for (int r = 0; r < grid.rows; ++r) {
+    for (int c = 0; c < grid.cols; ++c) grid.elevation_m.push_back(static_cast<float>(rise * (grid.origin_m.x() + c * 5.0)));
+  }
+  return planner::Terrain::from_grid(grid).value();
+}
+
+TEST(SubCells, OverFlatGroundEachStripIsOneAtTheFieldsHeight) {
+  const FieldCut cut = cut_field(square_field(), planner::Terrain::flat(12.0), {});
+  ASSERT_EQ(cut.status, FieldStatus::kPlanned) << cut.reason;
+  EXPECT_EQ(cut.sub_cells.size(), 4U);
+  for (const SubCell& cell : cut.sub_cells) {
+    EXPECT_EQ(cell.alpha_m.z(), 32.0);
+    EXPECT_EQ(cell.field_id, 7U);
+  }
+  EXPECT_NEAR(cut.area_m2, 4000.0, 1e-6);
+  EXPECT_NEAR(cut.covered_m2, 4000.0, 1e-3);
+  EXPECT_NEAR(cut.outside_m2, 0.0, 1e-3);
+}
+
+TEST(SubCells, OverASlopeTheyStayWithinTheHeightBand) {
+  const planner::Terrain terrain = slope(0.2);
+  CutParams params;
+  params.sweep_rad = 0.0;
+  params.height_tolerance_m = 2.0;
+  const FieldCut cut = cut_field(square_field(), terrain, params);
+  ASSERT_EQ(cut.status, FieldStatus::kPlanned) << cut.reason;
+  EXPECT_EQ(cut.cells, 4);
+  EXPECT_GE(cut.sub_cells.size(), 4U * 5U) << "20 m of rise in bands of 4 m";
+  EXPECT_EQ(cut.beyond_tolerance, 0);
+  for (const SubCell& cell : cut.sub_cells) {
+    for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+      const Vec3 p = cell.alpha_m + share * (cell.beta_m - cell.alpha_m);
+      EXPECT_NEAR(p.z() - terrain.height_at(p.x(), p.y()), 20.0, 2.05);
+    }
+  }
+  EXPECT_GE(cut.covered_m2, 0.999 * cut.area_m2);
+}
+
+TEST(SubCells, NoneIsLongerThanABattery) {
+  CutParams params;
+  params.max_length_m = 30.0;
+  const FieldCut cut = cut_field(square_field(), planner::Terrain::flat(0.0), params);
+  ASSERT_EQ(cut.status, FieldStatus::kPlanned);
+  EXPECT_EQ(cut.sub_cells.size(), 4U * 4U);
+  for (const SubCell& cell : cut.sub_cells) EXPECT_LE(cell.length_m(), 30.0 + 1e-9);
+}
+
+TEST(SubCells, WhatCannotBePlannedComesBackRefusedWithItsReason) {
+  EXPECT_THAT(cut_field(square_field(1.0), planner::Terrain::flat(0.0), {}).reason, HasSubstr("clearance"));
+  Field bow_tie = square_field();
+  bow_tie.polygon.outline = {{0, 0}, {10, 10}, {10, 0}, {0, 12}};
+  const FieldCut cut = cut_field(bow_tie, planner::Terrain::flat(0.0), {});
+  EXPECT_EQ(cut.status, FieldStatus::kRefused);
+  EXPECT_THAT(cut.reason, HasSubstr("Self-intersection"));
+  EXPECT_TRUE(cut.sub_cells.empty());
+  CutParams params;
+  params.max_length_m = -1.0;
+  EXPECT_THAT(cut_field(square_field(), planner::Terrain::flat(0.0), params).reason, HasSubstr("battery"));
+}
+
+}  // namespace
+}  // namespace swallowtail::coverage
