@@ -41,6 +41,19 @@ Vec3 FlightLog::velocity(double time_s) const {
   return Vec3::Zero();
 }
 
+double FlightLog::join_time_s(double time_s) const {
+  if (path_.empty()) return time_s;
+  std::optional<double> stopped_s;
+  for (std::size_t i = 1; i < path_.size() && path_[i - 1].time_s <= time_s; ++i) {
+    const bool stands = path_[i].position_m == path_[i - 1].position_m;
+    if (!stands) stopped_s.reset();
+    if (stands && !stopped_s) stopped_s = path_[i - 1].time_s;
+    if (path_[i].time_s <= time_s) continue;
+    return stands ? std::max(time_s, std::min(path_[i].time_s, *stopped_s + kStopToTurn_s)) : time_s;
+  }
+  return std::max(time_s, stopped_s.value_or(path_.back().time_s) + kStopToTurn_s);
+}
+
 const TimedWaypoint& FlightLog::target(double time_s) const {
   for (const TimedWaypoint& w : path_) {
     if (w.time_s > time_s) return w;

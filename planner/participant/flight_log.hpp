@@ -23,6 +23,9 @@ class FlightLog {
   bool lands() const { return !path_.empty() && path_.back().phase == Phase::kLanding; }
   Vec3 position(double time_s) const { return position_at(path_, time_s); }
   Vec3 velocity(double time_s) const;
+  /// When a new path may take over that is to take over at `time_s`: then, unless the vehicle has only just
+  /// stopped. A stop frees the turn after it once it has lasted kStopToTurn_s, so that is waited for.
+  double join_time_s(double time_s) const;
   /// The waypoint that ends the segment flown at that time; the last one after the end.
   const TimedWaypoint& target(double time_s) const;
   /// From that time on, its first waypoint at that time.

@@ -275,11 +275,12 @@ Status PlannerParticipant::replan(double now_s) {
   ReplanReport report;
   // Where the path is shut within the lead, a shorter one may still get round.
   for (const double share : {1.0, 0.5}) {
-    const double join_s = now_s + share * lead;
+    const double asked_s = now_s + share * lead;
+    const double join_s = log_.join_time_s(asked_s);
     const RouteStart start = start_of_route(join_s);
     std::vector<RoutePoint> route = route_from(start, join_s);
     if (route.empty()) return {};
-    const Vec3 velocity = log_.empty() ? to_vec(vehicle_->velocity_mps) : log_.velocity(join_s);
+    const Vec3 velocity = log_.empty() ? to_vec(vehicle_->velocity_mps) : log_.velocity(asked_s);
     const StopCondition stop{.clock = &clock_, .deadline_s = wall_s + 1e-3 * options_.budget_ms};
     report = replanner_->plan(keeper_.world(), {start.position_m, join_s, velocity, std::move(route)}, stop);
     if (report.verdict != Verdict::kNoSafePath) break;
@@ -330,7 +331,10 @@ Status PlannerParticipant::publish(const ReplanReport& report, double now_s, dou
   plan.clearance_min_m = std::min(report.certificate.clearance_min_m, 1e6);
   plan.replan_ms = replan_ms;
   plan.waypoints = to_data(report.path);
-  if (plan.waypoints.size() > data::kMaxWaypoints) plan.waypoints.resize(data::kMaxWaypoints);
+  if (plan.waypoints.size() > data::kMaxWaypoints) {
+    plan.waypoints.resize(data::kMaxWaypoints);
+    plan.lands = false;
+  }
   if (Status sent = publisher_->publish(plan); !sent) return sent;
   log_.join(to_path(plan.waypoints), now_s);
   verdict_ = report.verdict;

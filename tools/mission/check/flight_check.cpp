@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <optional>
 
 #include "tools/mission/check/distance.hpp"
 #include "tools/mission/check/findings.hpp"
@@ -208,12 +209,22 @@ void judge_battery(const FlightLog& log, const Rules& rules, FlightReport& repor
   }
 }
 
-const data::ChargerState* charger_near(const FlightLog& log, double time_s) {
-  const auto after = std::lower_bound(log.chargers.begin(), log.chargers.end(), time_s,
+/// The charger's state nearest in time, and how far from it the aircraft may be for want of newer news: the
+/// robot's way over two of its sampling intervals, since the aircraft learns of its motion a sample late.
+struct RobotAt {
+  P3 position;
+  double uncertain_m = 0.0;
+};
+
+std::optional<RobotAt> robot_at(const FlightLog& log, double time_s, double speed_mps) {
+  if (log.chargers.empty()) return std::nullopt;
+  const auto later = std::lower_bound(log.chargers.begin(), log.chargers.end(), time_s,
                                       [](const auto& c, double t) { return c.time_s < t; });
-  if (after == log.chargers.end()) return log.chargers.empty() ? nullptr : &log.chargers.back();
-  if (after == log.chargers.begin()) return &*after;
-  return time_s - std::prev(after)->time_s < after->time_s - time_s ? &*std::prev(after) : &*after;
+  const auto after = later == log.chargers.end() ? std::prev(later) : later;
+  const auto before = after == log.chargers.begin() ? after : std::prev(after);
+  const auto nearest = time_s - before->time_s < after->time_s - time_s ? before : after;
+  const double late_s = std::abs(nearest->time_s - time_s) + 2.0 * (after->time_s - before->time_s);
+  return RobotAt{point(nearest->position), speed_mps * late_s};
 }
 
 /// Energy may rise only on the robot, and the robot must be there.
@@ -224,10 +235,10 @@ void judge_charging(const FlightLog& log, const Rules& rules, FlightReport& repo
     if (docked && !was_docked) ++report.recharges;
     was_docked = docked;
     if (!docked) continue;
-    const auto* charger = charger_near(log, s.time_s);
-    if (charger == nullptr) continue;
-    const double reach = kDockReach_m + rules.charger_speed_mps * std::abs(charger->time_s - s.time_s);
-    const double d = level_apart(point(charger->position), point(s.position));
+    const auto robot = robot_at(log, s.time_s, rules.charger_speed_mps);
+    if (!robot) continue;
+    const double reach = kDockReach_m + robot->uncertain_m;
+    const double d = level_apart(robot->position, point(s.position));
     if (d > reach)
       findings.add(s.time_s, "dock", point(s.position), "charger", d,
                    "docked %.2f m from the robot, at most %.2f m", d, reach);

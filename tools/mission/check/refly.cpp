@@ -9,7 +9,7 @@ bool grounded(const data::VehicleState& s) {
   return s.mode == data::VehicleMode::kLanded || s.mode == data::VehicleMode::kDocked;
 }
 
-/// Appends the plan's flight from t0 to t1.
+/// Appends the plan's flight from t0 to t1; after its end it holds there, or stands on the ground.
 void follow(const data::PathPlan& plan, double t0_s, double t1_s, std::vector<Piece>& pieces) {
   double t = t0_s;
   P3 at = plan_position(plan, t0_s);
@@ -22,7 +22,8 @@ void follow(const data::PathPlan& plan, double t0_s, double t1_s, std::vector<Pi
     at = next;
     if (t >= t1_s) return;
   }
-  if (t < t1_s) pieces.push_back({t, t1_s, at, at, data::PathPhase::kHold, plan.revision, false});
+  const auto rest = plan.lands ? data::PathPhase::kLanding : data::PathPhase::kHold;
+  if (t < t1_s) pieces.push_back({t, t1_s, at, at, rest, plan.revision, false});
 }
 
 }  // namespace
