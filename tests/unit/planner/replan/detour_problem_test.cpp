@@ -17,11 +17,8 @@ struct Setting {
     const std::vector<std::pair<Vec3, double>> balls = {{{30, 1, 20}, 8}, {{60, -4, 22}, 9}};
     std::vector<Obstacle> obstacles;
     for (const auto& [center, radius] : balls) {
-      Obstacle o;
-      o.id = static_cast<std::uint32_t>(obstacles.size() + 1);
-      o.shape = Sphere{scale * radius};
-      o.position_m = place(center);
-      obstacles.push_back(o);
+      const auto id = static_cast<std::uint32_t>(obstacles.size() + 1);
+      obstacles.push_back({.id = id, .shape = Sphere{scale * radius}, .position_m = place(center)});
     }
     limits.radius_m = 0.5 * scale;
     limits.margin_m = 2.0 * scale;

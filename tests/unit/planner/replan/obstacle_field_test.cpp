@@ -39,13 +39,11 @@ TEST(ObstacleField, AgreesWithTheClearanceQuery) {
 TEST(ObstacleField, NeverOverstatesTheDistanceToAMesh) {
   Rng rng(23);
   for (int trial = 0; trial < 500; ++trial) {
-    Obstacle obstacle;
-    obstacle.id = 1;
     ConvexMesh mesh;
     for (int i = 0; i < 12; ++i)
       mesh.vertices_m.push_back(Vec3(rng.uniform(-5, 5), rng.uniform(-5, 5), rng.uniform(0, 10)));
     mesh.yaw_rad = rng.uniform(0, 3);
-    obstacle.shape = mesh;
+    const Obstacle obstacle{.id = 1, .shape = mesh};
     const auto world = world_of({obstacle});
     const ObstacleField field(world, VehicleLimits{});
     const Vec3 a(rng.uniform(-20, 20), rng.uniform(-20, 20), rng.uniform(-5, 20));
@@ -56,9 +54,7 @@ TEST(ObstacleField, NeverOverstatesTheDistanceToAMesh) {
 }
 
 TEST(ObstacleField, TellsTheDepthOfAHeadOnHit) {
-  Obstacle ball;
-  ball.id = 4;
-  ball.shape = Sphere{5.0};
+  Obstacle ball{.id = 4, .shape = Sphere{5.0}};
   const ObstacleField field(world_of({ball}), VehicleLimits{.radius_m = 0.5, .margin_m = 1.5});
   EXPECT_NEAR(field.violation_m(Vec3(-20, 0, 0), 0, Vec3(20, 0, 0), 5), 7.0, 1e-2);
   EXPECT_NEAR(field.violation_m(Vec3(-20, 6, 0), 0, Vec3(20, 6, 0), 5), 1.0, 1e-2);
@@ -66,9 +62,7 @@ TEST(ObstacleField, TellsTheDepthOfAHeadOnHit) {
 }
 
 TEST(ObstacleField, ForgetsWhatIsNoLongerThere) {
-  Obstacle ball;
-  ball.id = 4;
-  ball.shape = Sphere{5.0};
+  Obstacle ball{.id = 4, .shape = Sphere{5.0}};
   ball.valid_until_s = 10.0;
   const ObstacleField field(world_of({ball}), VehicleLimits{});
   EXPECT_GT(field.violation_m(Vec3(-20, 0, 0), 7, Vec3(20, 0, 0), 12), 0.0) << "met at 9.5 s";

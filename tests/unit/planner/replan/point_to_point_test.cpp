@@ -10,11 +10,7 @@ namespace swallowtail::planner {
 namespace {
 
 Obstacle ball(std::uint32_t id, const Vec3& at, double radius) {
-  Obstacle o;
-  o.id = id;
-  o.shape = Sphere{radius};
-  o.position_m = at;
-  return o;
+  return {.id = id, .shape = Sphere{radius}, .position_m = at};
 }
 
 std::shared_ptr<const World> world_of(std::vector<Obstacle> obstacles) {
@@ -87,10 +83,7 @@ TEST(PlanPath, SaysWhatIsBlocked) {
 }
 
 TEST(PlanPath, FindsNothingThroughAWallAndStaysInItsBudget) {
-  Obstacle wall;
-  wall.id = 3;
-  wall.shape = Box{Vec3(5, 400, 400), 0.0};
-  wall.position_m = Vec3(100, 100, 50);
+  const Obstacle wall{.id = 3, .shape = Box{Vec3(5, 400, 400), 0.0}, .position_m = Vec3(100, 100, 50)};
   const PlanReport report = *plan_path(world_of({wall}), across(), {.max_evaluations = 3000});
   EXPECT_EQ(report.status, PlanStatus::kNoneFound);
   EXPECT_TRUE(report.path.empty());

@@ -12,12 +12,7 @@ namespace {
 constexpr std::uint64_t kBudget = 20000;
 
 Obstacle ball(std::uint32_t id, const Vec3& at, double radius, const Vec3& velocity = Vec3::Zero()) {
-  Obstacle o;
-  o.id = id;
-  o.shape = Sphere{radius};
-  o.position_m = at;
-  o.velocity_mps = velocity;
-  return o;
+  return {.id = id, .shape = Sphere{radius}, .position_m = at, .velocity_mps = velocity};
 }
 
 std::shared_ptr<const World> world_of(std::vector<Obstacle> obstacles) {
@@ -103,10 +98,7 @@ TEST(Replanner, HoldsWhereTheGoalIsBlocked) {
 
 TEST(Replanner, DoesNotHoldWhereSomethingWillCome) {
   // The goal is walled in by a box that is there to stay; a ball sweeps the strip it would hold on.
-  Obstacle lid;
-  lid.id = 4;
-  lid.shape = Box{Vec3(30, 20, 19), 0.0};
-  lid.position_m = Vec3(10, 0, 9);
+  const Obstacle lid{.id = 4, .shape = Box{Vec3(30, 20, 19), 0.0}, .position_m = Vec3(10, 0, 9)};
   ReplanRequest request = two_strips();
   request.start_m = Vec3(0, 60, 20);
   const ReplanReport report = plan(world_of({lid, ball(6, Vec3(10, 140, 20), 6, Vec3(0, -2, 0))}), request);
