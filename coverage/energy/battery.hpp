@@ -8,7 +8,8 @@
 
 namespace swallowtail::coverage {
 
-/// Energy per second in each phase of flight. The default is the document's: one unit per unit of flying time, nothing on the ground [COV 3].
+/// Energy per second in each phase of flight. The default is the document's: one unit per unit of flying
+/// time, nothing on the ground [COV 3].
 struct EnergyModel {
   double level_per_s = 1.0;
   double climb_per_s = 1.0;
@@ -37,18 +38,25 @@ struct Charger {
 inline Status validate(const Battery& battery) {
   const EnergyModel& m = battery.model;
   if (!is_positive(battery.capacity)) return bad_input("The battery's capacity must be positive.");
-  if (!is_non_negative(battery.reserve) || battery.reserve >= battery.capacity) return bad_input("The battery's reserve must be at least 0 and below its capacity.");
-  if (battery.levels < 1 || battery.levels > 1000) return bad_input("The battery must have 1 to 1000 levels.");
-  if (!is_non_negative(battery.charge_s_per_unit)) return bad_input("The charging time per unit must not be negative.");
-  if (!is_positive(m.level_per_s) || !is_positive(m.climb_per_s) || !is_non_negative(m.descent_per_s) || !is_non_negative(m.hover_per_s) || !is_non_negative(m.landed_per_s)) {
-    return bad_input("The energy model's rates must be finite, positive for level flight and climb, and not negative elsewhere.");
+  if (!is_non_negative(battery.reserve) || battery.reserve >= battery.capacity)
+    return bad_input("The battery's reserve must be at least 0 and below its capacity.");
+  if (battery.levels < 1 || battery.levels > 1000)
+    return bad_input("The battery must have 1 to 1000 levels.");
+  if (!is_non_negative(battery.charge_s_per_unit))
+    return bad_input("The charging time per unit must not be negative.");
+  if (!is_positive(m.level_per_s) || !is_positive(m.climb_per_s) || !is_non_negative(m.descent_per_s) ||
+      !is_non_negative(m.hover_per_s) || !is_non_negative(m.landed_per_s)) {
+    return bad_input(
+        "The energy model's rates must be finite, positive for level flight and climb, and not negative "
+        "elsewhere.");
   }
   return {};
 }
 
 inline Status validate(const Charger& charger) {
   if (!is_positive(charger.speed_mps)) return bad_input("The charger's speed must be positive.");
-  if (!is_non_negative(charger.take_off_s) || !is_non_negative(charger.landing_s)) return bad_input("The charger's handling times must not be negative.");
+  if (!is_non_negative(charger.take_off_s) || !is_non_negative(charger.landing_s))
+    return bad_input("The charger's handling times must not be negative.");
   if (!is_finite(charger.start_m)) return bad_input("The charger's start must be finite.");
   return {};
 }

@@ -1,7 +1,7 @@
 #include "coverage/energy/flight.hpp"
 
-#include <algorithm>
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 
 namespace swallowtail::coverage {
@@ -32,11 +32,15 @@ FlightCost FlightModel::stop() const {
   return {planner::kStopToTurn_s, planner::kStopToTurn_s * energy_.hover_per_s, 0.0};
 }
 
-Vec3 FlightModel::ground(const Vec3& at) const { return {at.x(), at.y(), terrain_->height_at(at.x(), at.y())}; }
+Vec3 FlightModel::ground(const Vec3& at) const {
+  return {at.x(), at.y(), terrain_->height_at(at.x(), at.y())};
+}
 
 FlightCost FlightModel::take_off(const Vec3& at) const { return vertical(at.z() - ground(at).z()) + stop(); }
 
-FlightCost FlightModel::landing(const Vec3& at) const { return stop() + vertical(std::min(0.0, ground(at).z() - at.z())); }
+FlightCost FlightModel::landing(const Vec3& at) const {
+  return stop() + vertical(std::min(0.0, ground(at).z() - at.z()));
+}
 
 double FlightModel::transfer_altitude(const Vec3& from, const Vec3& to) const {
   const double ends = std::max(from.z(), to.z());
@@ -81,13 +85,15 @@ FlightCost FlightModel::transfer(const Vec3& from, const Vec3& to, const Ends& e
   return cost + level_part(from, to, level_ends);
 }
 
-FlightCost FlightModel::take_off_to(const Vec3& from, const Vec3& to, const std::optional<Vec3>& after) const {
+FlightCost FlightModel::take_off_to(const Vec3& from, const Vec3& to,
+                                    const std::optional<Vec3>& after) const {
   Vec3 above = from;
   above.z() = transfer_altitude(Vec3(from.x(), from.y(), to.z()), to);
   return take_off(above) + transfer(above, to, {std::nullopt, after});
 }
 
-FlightCost FlightModel::transfer_and_land(const Vec3& from, const std::optional<Vec3>& before, const Vec3& to) const {
+FlightCost FlightModel::transfer_and_land(const Vec3& from, const std::optional<Vec3>& before,
+                                          const Vec3& to) const {
   Vec3 above = to;
   above.z() = transfer_altitude(from, to);
   return transfer(from, above, {before, std::nullopt}) + landing(above);

@@ -28,11 +28,14 @@ struct FlightCost {
   }
 };
 
-/// Predicts flights the way the planner flies them (planner::time_route): level at cruise speed, vertical climbs first and descents last, a stop of planner::kStopToTurn_s where a vertical part begins
-/// or ends in the air and where the turn limit would be broken. Transfers climb over the ground between their ends where it stands higher than they are. Borrows the terrain.
+/// Predicts flights the way the planner flies them (planner::time_route): level at cruise speed, vertical
+/// climbs first and descents last, a stop of planner::kStopToTurn_s where a vertical part begins or ends in
+/// the air and where the turn limit would be broken. Transfers climb over the ground between their ends where
+/// it stands higher than they are. Borrows the terrain.
 class FlightModel {
  public:
-  FlightModel(const planner::VehicleLimits& limits, const EnergyModel& energy, const planner::Terrain& terrain)
+  FlightModel(const planner::VehicleLimits& limits, const EnergyModel& energy,
+              const planner::Terrain& terrain)
       : limits_(limits), energy_(energy), terrain_(&terrain) {}
 
   /// Level, straight.

@@ -9,20 +9,22 @@
 
 namespace swallowtail::coverage {
 
-/// What happens between a leg's exit and the next leg's entry [COV Tab. 2]: F fly, D land, U take off, T be carried. kEnd: land, nothing follows.
+/// What happens between a leg's exit and the next leg's entry [COV Tab. 2]: F fly, D land, U take off, T be
+/// carried. kEnd: land, nothing follows.
 enum class Transfer : std::uint8_t { kFF, kFFDU, kFDUF, kFDUFDU, kFDTU, kEnd };
 const char* name_of(Transfer transfer);
 
-/// Flights between two legs, from which the five transfers are put together. Energies and times without handling, charging and driving.
+/// Flights between two legs, from which the five transfers are put together. Energies and times without
+/// handling, charging and driving.
 struct LegLink {
-  FlightCost hop;             ///< exit → entry in the air
-  FlightCost land_at_exit;    ///< exit → ground
-  FlightCost land_at_entry;   ///< exit → above the entry → ground
-  FlightCost lift_from_exit;  ///< ground at the exit → entry
-  FlightCost lift_at_entry;   ///< ground at the entry → entry
+  FlightCost hop;               ///< exit → entry in the air
+  FlightCost land_at_exit;      ///< exit → ground
+  FlightCost land_at_entry;     ///< exit → above the entry → ground
+  FlightCost lift_from_exit;    ///< ground at the exit → entry
+  FlightCost lift_at_entry;     ///< ground at the entry → entry
   FlightCost ground_to_ground;  ///< ground at the exit → ground at the entry, by air
-  double drive_s = 0.0;       ///< ground robot from one site to the other
-  bool same_site = false;     ///< exit and entry are one place: being carried makes no sense
+  double drive_s = 0.0;         ///< ground robot from one site to the other
+  bool same_site = false;       ///< exit and entry are one place: being carried makes no sense
 };
 
 /// A leg as it is flown.
@@ -50,11 +52,15 @@ struct TransferChoice {
   double charged = 0.0;
 };
 
-/// The conditions and times of [COV Tab. 2] with its printing errors corrected (see design notes: signs, `e`, and the take-off of F-DUF at the exit): from `energy_at_exit` to at least `energy_at_entry`
-/// in the air at the next leg's entry, charging only what is missing. Nothing when the type cannot do it. Every landing keeps the reserve.
-std::optional<TransferChoice> try_transfer(Transfer type, const LegLink& link, double energy_at_exit, double energy_at_entry, const TransferTerms& terms);
+/// The conditions and times of [COV Tab. 2] with its printing errors corrected (see design notes: signs, `e`,
+/// and the take-off of F-DUF at the exit): from `energy_at_exit` to at least `energy_at_entry` in the air at
+/// the next leg's entry, charging only what is missing. Nothing when the type cannot do it. Every landing
+/// keeps the reserve.
+std::optional<TransferChoice> try_transfer(Transfer type, const LegLink& link, double energy_at_exit,
+                                           double energy_at_entry, const TransferTerms& terms);
 
 /// The quickest of the five.
-std::optional<TransferChoice> best_transfer(const LegLink& link, double energy_at_exit, double energy_at_entry, const TransferTerms& terms);
+std::optional<TransferChoice> best_transfer(const LegLink& link, double energy_at_exit,
+                                            double energy_at_entry, const TransferTerms& terms);
 
 }  // namespace swallowtail::coverage

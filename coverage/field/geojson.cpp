@@ -14,7 +14,8 @@
 namespace swallowtail::coverage {
 namespace {
 
-constexpr double kMaxDistance_m = 2e5;  ///< of a vertex from the origin: beyond, the local frame is no longer true to scale
+constexpr double kMaxDistance_m =
+    2e5;  ///< of a vertex from the origin: beyond, the local frame is no longer true to scale
 
 struct Dataset {
   struct Close {
@@ -49,7 +50,8 @@ void add_polygons(const OGRGeometry& geometry, const RawField& like, std::vector
     if (polygon.getExteriorRing() == nullptr) return;
     RawField field = like;
     field.polygon.outline = read_ring(*polygon.getExteriorRing());
-    for (int i = 0; i < polygon.getNumInteriorRings(); ++i) field.polygon.holes.push_back(read_ring(*polygon.getInteriorRing(i)));
+    for (int i = 0; i < polygon.getNumInteriorRings(); ++i)
+      field.polygon.holes.push_back(read_ring(*polygon.getInteriorRing(i)));
     out.push_back(std::move(field));
   } else if (type == wkbMultiPolygon || type == wkbGeometryCollection) {
     const OGRGeometryCollection& parts = *geometry.toGeometryCollection();
@@ -84,16 +86,18 @@ Result<std::unique_ptr<OGRCoordinateTransformation>> to_wgs84(const OGRSpatialRe
   OGRSpatialReference source(*from);
   source.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
   if (source.IsSame(&target) != 0) return std::unique_ptr<OGRCoordinateTransformation>();
-  std::unique_ptr<OGRCoordinateTransformation> transformation(OGRCreateCoordinateTransformation(&source, &target));
+  std::unique_ptr<OGRCoordinateTransformation> transformation(
+      OGRCreateCoordinateTransformation(&source, &target));
   if (!transformation) return bad_input("The file's projection cannot be brought to WGS 84.");
   return transformation;
 }
 
 bool beyond_degrees(const std::vector<RawField>& fields, std::size_t first) {
-  return std::any_of(fields.begin() + static_cast<std::ptrdiff_t>(first), fields.end(), [](const RawField& field) {
-    return std::any_of(field.polygon.outline.begin(), field.polygon.outline.end(),
-                       [](const Vec2& p) { return std::abs(p.x()) > 180.0 || std::abs(p.y()) > 90.0; });
-  });
+  return std::any_of(
+      fields.begin() + static_cast<std::ptrdiff_t>(first), fields.end(), [](const RawField& field) {
+        return std::any_of(field.polygon.outline.begin(), field.polygon.outline.end(),
+                           [](const Vec2& p) { return std::abs(p.x()) > 180.0 || std::abs(p.y()) > 90.0; });
+      });
 }
 
 Status read_layer(OGRLayer& layer, RawFile& out) {
@@ -107,7 +111,8 @@ Status read_layer(OGRLayer& layer, RawFile& out) {
   }
   const bool geographic = reference != nullptr && reference->IsGeographic() != 0;
   const bool projected = reference != nullptr && reference->IsProjected() != 0;
-  if (says_local || (!projected && (beyond_degrees(out.fields, first) || (reference == nullptr && !geographic)))) {
+  if (says_local ||
+      (!projected && (beyond_degrees(out.fields, first) || (reference == nullptr && !geographic)))) {
     out.is_local = true;
     return {};
   }
@@ -115,11 +120,13 @@ Status read_layer(OGRLayer& layer, RawFile& out) {
   if (!transformation) return transformation.error();
   if (*transformation == nullptr) return {};
   const auto project = [&](Ring& ring) {
-    return std::all_of(ring.begin(), ring.end(), [&](Vec2& p) { return (*transformation)->Transform(1, &p.x(), &p.y()) != 0; });
+    return std::all_of(ring.begin(), ring.end(),
+                       [&](Vec2& p) { return (*transformation)->Transform(1, &p.x(), &p.y()) != 0; });
   };
   for (std::size_t i = first; i < out.fields.size(); ++i) {
     Polygon& polygon = out.fields[i].polygon;
-    const bool good = project(polygon.outline) && std::all_of(polygon.holes.begin(), polygon.holes.end(), project);
+    const bool good =
+        project(polygon.outline) && std::all_of(polygon.holes.begin(), polygon.holes.end(), project);
     if (!good) return bad_input("Field '" + out.fields[i].name + "' cannot be brought to WGS 84.");
   }
   return {};
@@ -128,8 +135,8 @@ Status read_layer(OGRLayer& layer, RawFile& out) {
 Result<RawFile> read_raw(const std::string& path) {
   GDALAllRegister();
   CPLPushErrorHandler(CPLQuietErrorHandler);
-  const Dataset dataset{decltype(Dataset::owner)(
-      static_cast<GDALDataset*>(GDALOpenEx(path.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY, nullptr, nullptr, nullptr)))};
+  const Dataset dataset{decltype(Dataset::owner)(static_cast<GDALDataset*>(
+      GDALOpenEx(path.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY, nullptr, nullptr, nullptr)))};
   RawFile out;
   Status status;
   if (dataset.owner) {
@@ -161,7 +168,8 @@ Status to_local(Ring& ring, const planner::GeoOrigin& origin) {
     if (!is_finite(p)) continue;  // left for clean() to name
     const Result<Vec2> local = planner::to_local(origin, p.y(), p.x());
     if (!local) return local.error();
-    if (local->norm() > kMaxDistance_m) return bad_input("A vertex lies more than 200 km from the origin of the local frame.");
+    if (local->norm() > kMaxDistance_m)
+      return bad_input("A vertex lies more than 200 km from the origin of the local frame.");
     p = *local;
   }
   return {};
@@ -180,7 +188,9 @@ Result<double> height_of(const RawField& field, const FieldFileOptions& options)
   const auto known = options.class_heights_m.find(field.height_class);
   if (known != options.class_heights_m.end()) height = known->second;
   if (field.height_m) height = *field.height_m;
-  if (!is_positive(height)) return bad_input("Field '" + field.name + "' has a height_m of " + std::to_string(height) + "; it must be positive.");
+  if (!is_positive(height))
+    return bad_input("Field '" + field.name + "' has a height_m of " + std::to_string(height) +
+                     "; it must be positive.");
   return height;
 }
 
@@ -202,9 +212,12 @@ Result<FieldFile> read_fields(const std::string& path, const FieldFileOptions& o
     if (!raw->is_local) {
       if (!shares) out.origins.push_back(middle_of({&field, 1}));
       const Status status = to_local(field.polygon, shares ? *out.origin : out.origins.back());
-      if (!status) return Error{status.error().code, "'" + path + "', field '" + field.name + "': " + status.error().message};
+      if (!status)
+        return Error{status.error().code,
+                     "'" + path + "', field '" + field.name + "': " + status.error().message};
     }
-    out.fields.push_back({static_cast<std::uint32_t>(out.fields.size() + 1), field.name, std::move(field.polygon), *height});
+    out.fields.push_back(
+        {static_cast<std::uint32_t>(out.fields.size() + 1), field.name, std::move(field.polygon), *height});
   }
   return out;
 }

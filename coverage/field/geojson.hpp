@@ -10,12 +10,14 @@
 
 namespace swallowtail::coverage {
 
-/// Whether the file's fields share one local frame, or each has its own around its middle (fields too far apart for one mission).
+/// Whether the file's fields share one local frame, or each has its own around its middle (fields too far
+/// apart for one mission).
 enum class FieldFrame { kShared, kPerField };
 
 struct FieldFileOptions {
   FieldFrame frame = FieldFrame::kShared;
-  /// Of the local frame; without it the middle of the file's extent (elevation 0). Not used by files in local metres.
+  /// Of the local frame; without it the middle of the file's extent (elevation 0). Not used by files in local
+  /// metres.
   std::optional<planner::GeoOrigin> origin{};
   double default_height_m = 20.0;
   /// Height above ground by the value of the property `class`. A property `height_m` wins over it.
@@ -23,17 +25,21 @@ struct FieldFileOptions {
 };
 
 struct FieldFile {
-  std::vector<Field> fields;                  ///< ids 1 … n in the file's order; names from the property or feature id
-  std::optional<planner::GeoOrigin> origin{};   ///< of the frame the fields share; none: local metres, or a frame per field
-  std::vector<planner::GeoOrigin> origins;    ///< one per field with FieldFrame::kPerField, else empty
+  std::vector<Field> fields;  ///< ids 1 … n in the file's order; names from the property or feature id
+  std::optional<planner::GeoOrigin>
+      origin{};  ///< of the frame the fields share; none: local metres, or a frame per field
+  std::vector<planner::GeoOrigin> origins;  ///< one per field with FieldFrame::kPerField, else empty
 };
 
 inline constexpr std::size_t kMaxFileFields = 10'000;
 
-/// Reads every polygon of a GeoJSON, KML or any other vector file that GDAL knows. A multi-polygon is several fields. Coordinates are taken as local metres when the file says so (a property or member
-/// `crs` of "local metres", or a projection of type local/engineering) or when they lie beyond degrees although no projection is named; else they are projected into the local frame.
-/// Polygons are not cleaned here, so that one bad field does not spoil a file: cut_field refuses it.
-/// Errors (kNotFound): no such file. (kBadInput): not a vector file, no polygon in it, a height that is not positive, too many fields, coordinates far from the origin.
+/// Reads every polygon of a GeoJSON, KML or any other vector file that GDAL knows. A multi-polygon is several
+/// fields. Coordinates are taken as local metres when the file says so (a property or member `crs` of "local
+/// metres", or a projection of type local/engineering) or when they lie beyond degrees although no projection
+/// is named; else they are projected into the local frame. Polygons are not cleaned here, so that one bad
+/// field does not spoil a file: cut_field refuses it. Errors (kNotFound): no such file. (kBadInput): not a
+/// vector file, no polygon in it, a height that is not positive, too many fields, coordinates far from the
+/// origin.
 Result<FieldFile> read_fields(const std::string& path, const FieldFileOptions& options);
 
 }  // namespace swallowtail::coverage

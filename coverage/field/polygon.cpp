@@ -127,8 +127,9 @@ Result<Polygon> clean(const Polygon& raw) {
   if (out.outline.size() < 3 || std::abs(signed_area_m2(out.outline)) < kLeastRingArea_m2) {
     // A bow tie's halves cancel out: say what is really wrong with it.
     if (raw.outline.size() >= 4) {
-      if (const Status status = detail::check_validity({out.outline.size() >= 3 ? out.outline : raw.outline, {}}); !status &&
-          out.outline.size() >= 3) {
+      if (const Status status =
+              detail::check_validity({out.outline.size() >= 3 ? out.outline : raw.outline, {}});
+          !status && out.outline.size() >= 3) {
         return status.error();
       }
     }

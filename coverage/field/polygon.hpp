@@ -22,11 +22,13 @@ struct Box {
 
 inline constexpr std::size_t kMaxPolygonVertices = 100'000;
 inline constexpr double kRepeatedVertex_m = 1e-3;  ///< vertices nearer than this are one
-inline constexpr double kCollinear_m = 1e-4;       ///< a vertex nearer than this to the chord of its neighbours is left out
+inline constexpr double kCollinear_m =
+    1e-4;  ///< a vertex nearer than this to the chord of its neighbours is left out
 
-/// The same area without repeated, collinear and closing vertices and without spikes; the outline counter-clockwise, holes clockwise; holes of no area left out.
-/// Errors (kBadInput), each named in the message: a coordinate that is not finite or beyond 1e6 m, too many vertices, a ring of no area, a self-intersection (with its place), a hole outside the
-/// outline or in another hole.
+/// The same area without repeated, collinear and closing vertices and without spikes; the outline
+/// counter-clockwise, holes clockwise; holes of no area left out. Errors (kBadInput), each named in the
+/// message: a coordinate that is not finite or beyond 1e6 m, too many vertices, a ring of no area, a
+/// self-intersection (with its place), a hole outside the outline or in another hole.
 Result<Polygon> clean(const Polygon& raw);
 
 /// Signed area of a ring: positive counter-clockwise.

@@ -59,12 +59,14 @@ class StripCutter {
 
  private:
   bool is_hole(double x, double y) const {
-    return std::any_of(field_.holes.begin(), field_.holes.end(), [&](const Ring& hole) { return contains(hole, Vec2(x, y)); });
+    return std::any_of(field_.holes.begin(), field_.holes.end(),
+                       [&](const Ring& hole) { return contains(hole, Vec2(x, y)); });
   }
   bool may_cross(const Interval& gap, double y) const {
     return gap.to - gap.from <= width_m_ / 2.0 && !is_hole((gap.from + gap.to) / 2.0, y);
   }
-  /// Whether a line may be prolonged over the gap at a part's end: along a slanted border always, over a hole by no more than a sensor width.
+  /// Whether a line may be prolonged over the gap at a part's end: along a slanted border always, over a hole
+  /// by no more than a sensor width.
   bool may_prolong(const Interval& gap, double y) const {
     return gap.to - gap.from <= width_m_ || !is_hole((gap.from + gap.to) / 2.0, y);
   }
@@ -98,17 +100,23 @@ Status StripCutter::cover(const Polygon& part, double y, int depth) {
   }
   std::vector<Line> lines;
   for (const Interval& interval : inside) lines.push_back({interval.from, interval.to, y});
-  if (const Status s = cover_gap(part, {box.lo.x(), inside.front().from}, depth, nullptr, &lines.front()); !s) return s;
+  if (const Status s = cover_gap(part, {box.lo.x(), inside.front().from}, depth, nullptr, &lines.front()); !s)
+    return s;
   for (std::size_t i = 0; i + 1 < inside.size(); ++i) {
-    if (const Status s = cover_gap(part, {inside[i].to, inside[i + 1].from}, depth, &lines[i], &lines[i + 1]); !s) return s;
+    if (const Status s = cover_gap(part, {inside[i].to, inside[i + 1].from}, depth, &lines[i], &lines[i + 1]);
+        !s)
+      return s;
   }
-  if (const Status s = cover_gap(part, {inside.back().to, box.hi.x()}, depth, &lines.back(), nullptr); !s) return s;
+  if (const Status s = cover_gap(part, {inside.back().to, box.hi.x()}, depth, &lines.back(), nullptr); !s)
+    return s;
   lines_.insert(lines_.end(), lines.begin(), lines.end());
   return {};
 }
 
-/// What of the part lies beside a gap of its centre line: the neighbouring lines are prolonged over what hangs on one of them, the rest gets its own.
-Status StripCutter::cover_gap(const Polygon& part, const Interval& gap, int depth, Line* before, Line* after) {
+/// What of the part lies beside a gap of its centre line: the neighbouring lines are prolonged over what
+/// hangs on one of them, the rest gets its own.
+Status StripCutter::cover_gap(const Polygon& part, const Interval& gap, int depth, Line* before,
+                              Line* after) {
   const double y = before != nullptr ? before->y : after->y;
   const bool at_end = before == nullptr || after == nullptr;
   if (gap.to - gap.from < 1e-9) return {};
@@ -123,8 +131,10 @@ Status StripCutter::cover_gap(const Polygon& part, const Interval& gap, int dept
   for (const Polygon& rest : *beside) {
     if (area_m2(rest) < kLeastPart * width_m_ * width_m_) continue;
     const Box extent = bounds_of(rest.outline);
-    const bool hangs_before = before != nullptr && extent.lo.x() <= gap.from + 1e-6 && extent.hi.x() - gap.from <= width_m_;
-    const bool hangs_after = after != nullptr && extent.hi.x() >= gap.to - 1e-6 && gap.to - extent.lo.x() <= width_m_;
+    const bool hangs_before =
+        before != nullptr && extent.lo.x() <= gap.from + 1e-6 && extent.hi.x() - gap.from <= width_m_;
+    const bool hangs_after =
+        after != nullptr && extent.hi.x() >= gap.to - 1e-6 && gap.to - extent.lo.x() <= width_m_;
     const bool joins = hangs_before && hangs_after && before != nullptr && after != nullptr;
     if (hangs_before && !joins) {
       before->to_x = std::max(before->to_x, extent.hi.x());
@@ -140,8 +150,10 @@ Status StripCutter::cover_gap(const Polygon& part, const Interval& gap, int dept
 }  // namespace
 
 Status validate(const StripParams& params) {
-  if (!is_positive(params.sensor_width_m)) return bad_input("The sensor width must be a positive number of metres.");
-  if (params.sweep_rad && !is_finite(*params.sweep_rad)) return bad_input("The sweep direction must be finite.");
+  if (!is_positive(params.sensor_width_m))
+    return bad_input("The sensor width must be a positive number of metres.");
+  if (params.sweep_rad && !is_finite(*params.sweep_rad))
+    return bad_input("The sweep direction must be finite.");
   if (!is_non_negative(params.piece_cost_m)) return bad_input("The cost of a piece must not be negative.");
   return {};
 }
@@ -151,8 +163,8 @@ Result<Strips> cut_strips(const Polygon& polygon, const StripParams& params) {
   Strips out;
   const Box raw = bounds_of(polygon.outline);
   if ((raw.hi - raw.lo).norm() / params.sensor_width_m > 4.0 * kMaxStrips) {
-    return bad_input("The field is " + std::to_string((raw.hi - raw.lo).norm()) + " m across: too large for a sensor of " +
-                     std::to_string(params.sensor_width_m) + " m.");
+    return bad_input("The field is " + std::to_string((raw.hi - raw.lo).norm()) +
+                     " m across: too large for a sensor of " + std::to_string(params.sensor_width_m) + " m.");
   }
   out.sweep_rad = params.sweep_rad ? *params.sweep_rad
                                    : best_sweep_rad(polygon, {params.sensor_width_m, params.piece_cost_m});
@@ -171,12 +183,16 @@ Result<Strips> cut_strips(const Polygon& polygon, const StripParams& params) {
     auto parts = clipper.clip({{box.lo.x() - 1.0, low}, {box.hi.x() + 1.0, low + out.width_m}});
     if (!parts) return parts.error();
     for (const Polygon& part : *parts) {
-      if (const Status status = cutter.cover(part, low + out.width_m / 2.0, 0); !status) return status.error();
+      if (const Status status = cutter.cover(part, low + out.width_m / 2.0, 0); !status)
+        return status.error();
     }
     std::vector<Line> lines = cutter.take_lines();
-    std::sort(lines.begin(), lines.end(), [](const Line& a, const Line& b) { return a.from_x != b.from_x ? a.from_x < b.from_x : a.y < b.y; });
+    std::sort(lines.begin(), lines.end(), [](const Line& a, const Line& b) {
+      return a.from_x != b.from_x ? a.from_x < b.from_x : a.y < b.y;
+    });
     for (const Line& line : lines) {
-      out.pieces.push_back({rotated(Vec2(line.from_x, line.y), out.sweep_rad), rotated(Vec2(line.to_x, line.y), out.sweep_rad), s});
+      out.pieces.push_back({rotated(Vec2(line.from_x, line.y), out.sweep_rad),
+                            rotated(Vec2(line.to_x, line.y), out.sweep_rad), s});
     }
   }
   return out;

@@ -20,7 +20,8 @@ constexpr double kLeastLength = 0.25;
 /// Ground elevations along a piece at even steps, both ends included.
 std::vector<double> ground_profile(const Piece& piece, const Terrain& terrain) {
   const double length = (piece.to_m - piece.from_m).norm();
-  const double wanted = terrain.grid() == nullptr ? length : std::max(kLeastSample_m, terrain.grid()->cell_size_m / 2.0);
+  const double wanted =
+      terrain.grid() == nullptr ? length : std::max(kLeastSample_m, terrain.grid()->cell_size_m / 2.0);
   const int steps = std::clamp(static_cast<int>(std::ceil(length / std::max(wanted, 1e-9))), 1, kMaxSamples);
   std::vector<double> out;
   for (int i = 0; i <= steps; ++i) {
@@ -39,7 +40,8 @@ struct Stretch {
 };
 
 /// The longest stretches, one after another, over which the ground stays within twice the tolerance.
-std::vector<Stretch> level_stretches(const std::vector<double>& ground, double length_m, const CutParams& params) {
+std::vector<Stretch> level_stretches(const std::vector<double>& ground, double length_m,
+                                     const CutParams& params) {
   const auto steps = static_cast<double>(ground.size() - 1);
   const double least = kLeastLength * params.sensor_width_m / std::max(length_m, 1e-9);
   std::vector<Stretch> out;
@@ -61,7 +63,8 @@ std::vector<Stretch> level_stretches(const std::vector<double>& ground, double l
 }
 
 /// Cuts a piece by height, then by what one battery flies, and adds its sub-cells.
-void add_sub_cells(const Field& field, const Piece& piece, const Terrain& terrain, const CutParams& params, FieldCut& out) {
+void add_sub_cells(const Field& field, const Piece& piece, const Terrain& terrain, const CutParams& params,
+                   FieldCut& out) {
   const double length = (piece.to_m - piece.from_m).norm();
   for (const Stretch& stretch : level_stretches(ground_profile(piece, terrain), length, params)) {
     const Vec2 from = piece.from_m + (piece.to_m - piece.from_m) * stretch.from;
@@ -69,23 +72,28 @@ void add_sub_cells(const Field& field, const Piece& piece, const Terrain& terrai
     const double top = -terrain.min_height_above(Vec3(from.x(), from.y(), 0.0), Vec3(to.x(), to.y(), 0.0));
     const double ground_max = std::max(stretch.ground_max, top);
     if (ground_max - stretch.ground_min > 2.02 * params.height_tolerance_m + 1e-6) ++out.beyond_tolerance;
-    const double z = std::max((stretch.ground_min + ground_max) / 2.0 + field.height_m, ground_max + params.clearance_m);
-    const int count = std::max(1, static_cast<int>(std::ceil((to - from).norm() / params.max_length_m - 1e-9)));
+    const double z =
+        std::max((stretch.ground_min + ground_max) / 2.0 + field.height_m, ground_max + params.clearance_m);
+    const int count =
+        std::max(1, static_cast<int>(std::ceil((to - from).norm() / params.max_length_m - 1e-9)));
     for (int i = 0; i < count && out.sub_cells.size() <= kMaxSubCells; ++i) {
       const Vec2 a = from + (to - from) * (static_cast<double>(i) / count);
       const Vec2 b = from + (to - from) * (static_cast<double>(i + 1) / count);
-      out.sub_cells.push_back({static_cast<std::uint32_t>(out.sub_cells.size()), field.id, Vec3(a.x(), a.y(), z),
-                               Vec3(b.x(), b.y(), z), field.height_m, params.sensor_width_m});
+      out.sub_cells.push_back({static_cast<std::uint32_t>(out.sub_cells.size()), field.id,
+                               Vec3(a.x(), a.y(), z), Vec3(b.x(), b.y(), z), field.height_m,
+                               params.sensor_width_m});
     }
   }
 }
 
 Status check_height(const Field& field, const Terrain& terrain, const CutParams& params) {
-  if (!is_positive(field.height_m)) return bad_input("The field's height above ground must be a positive number of metres.");
+  if (!is_positive(field.height_m))
+    return bad_input("The field's height above ground must be a positive number of metres.");
   const double tolerance = terrain.is_flat() ? 0.0 : params.height_tolerance_m;
   if (field.height_m - tolerance < params.clearance_m) {
-    return bad_input("The field's height of " + std::to_string(field.height_m) + " m above ground, less a tolerance of " +
-                     std::to_string(tolerance) + " m, is below the vehicle's clearance of " + std::to_string(params.clearance_m) + " m.");
+    return bad_input("The field's height of " + std::to_string(field.height_m) +
+                     " m above ground, less a tolerance of " + std::to_string(tolerance) +
+                     " m, is below the vehicle's clearance of " + std::to_string(params.clearance_m) + " m.");
   }
   return {};
 }
@@ -95,14 +103,16 @@ Status cut(const Field& field, const Terrain& terrain, const CutParams& params, 
   if (!polygon) return polygon.error();
   out.area_m2 = area_m2(*polygon);
   if (const Status status = check_height(field, terrain, params); !status) return status;
-  const Result<Strips> strips = cut_strips(*polygon, {params.sensor_width_m, params.sweep_rad, params.piece_cost_m});
+  const Result<Strips> strips =
+      cut_strips(*polygon, {params.sensor_width_m, params.sweep_rad, params.piece_cost_m});
   if (!strips) return strips.error();
   out.sweep_rad = strips->sweep_rad;
   out.strips = strips->count;
   out.cells = static_cast<int>(strips->pieces.size());
   for (const Piece& piece : strips->pieces) add_sub_cells(field, piece, terrain, params, out);
   if (out.sub_cells.size() > kMaxSubCells) {
-    return bad_input("The field needs more than 4096 sub-cells; a wider sensor or a greater height tolerance is needed.");
+    return bad_input(
+        "The field needs more than 4096 sub-cells; a wider sensor or a greater height tolerance is needed.");
   }
   const Result<SwathArea> area = swath_area(*polygon, out.sub_cells);
   if (!area) return area.error();
@@ -114,10 +124,13 @@ Status cut(const Field& field, const Terrain& terrain, const CutParams& params, 
 }  // namespace
 
 Status validate(const CutParams& params) {
-  if (!is_positive(params.sensor_width_m)) return bad_input("The sensor width must be a positive number of metres.");
-  if (!is_non_negative(params.height_tolerance_m)) return bad_input("The height tolerance must not be negative.");
+  if (!is_positive(params.sensor_width_m))
+    return bad_input("The sensor width must be a positive number of metres.");
+  if (!is_non_negative(params.height_tolerance_m))
+    return bad_input("The height tolerance must not be negative.");
   if (!is_non_negative(params.clearance_m)) return bad_input("The clearance must not be negative.");
-  if (!(params.max_length_m > 0.0)) return bad_input("One battery does not lift the vehicle to the field's height and back.");
+  if (!(params.max_length_m > 0.0))
+    return bad_input("One battery does not lift the vehicle to the field's height and back.");
   return {};
 }
 

@@ -34,11 +34,13 @@ struct SubCell {
 
 struct CutParams {
   double sensor_width_m = 10.0;
-  std::optional<double> sweep_rad{};   ///< see StripParams
-  double piece_cost_m = 25.0;        ///< see SweepParams
-  double height_tolerance_m = 2.0;   ///< over terrain: a sub-cell is cut where the height above ground would leave this band
-  double clearance_m = 2.5;          ///< least height above ground that is ever flown
-  double max_length_m = std::numeric_limits<double>::infinity();  ///< what one battery flies, climb and landing left aside
+  std::optional<double> sweep_rad{};  ///< see StripParams
+  double piece_cost_m = 25.0;         ///< see SweepParams
+  double height_tolerance_m =
+      2.0;  ///< over terrain: a sub-cell is cut where the height above ground would leave this band
+  double clearance_m = 2.5;  ///< least height above ground that is ever flown
+  double max_length_m =
+      std::numeric_limits<double>::infinity();  ///< what one battery flies, climb and landing left aside
 };
 Status validate(const CutParams& params);
 
@@ -48,20 +50,21 @@ struct FieldCut {
   std::uint32_t id = 0;
   std::string name;
   FieldStatus status = FieldStatus::kRefused;
-  std::string reason;           ///< why it was refused, a sentence; empty when planned
+  std::string reason;  ///< why it was refused, a sentence; empty when planned
   double area_m2 = 0.0;
-  double covered_m2 = 0.0;      ///< of the field, by the union of the swaths
-  double outside_m2 = 0.0;      ///< of the swaths' union, beyond the field
+  double covered_m2 = 0.0;  ///< of the field, by the union of the swaths
+  double outside_m2 = 0.0;  ///< of the swaths' union, beyond the field
   double sweep_rad = 0.0;
   int strips = 0;
-  int cells = 0;                ///< connected parts of strips
-  int beyond_tolerance = 0;     ///< sub-cells so steep that even the shortest leaves the height band
+  int cells = 0;                   ///< connected parts of strips
+  int beyond_tolerance = 0;        ///< sub-cells so steep that even the shortest leaves the height band
   std::vector<SubCell> sub_cells;  ///< along the strips, ids from 0
 };
 
 inline constexpr std::size_t kMaxSubCells = 4096;
 
-/// Cleans the field, cuts it into strips and these into sub-cells, and measures what they cover. It never fails: a field that cannot be planned comes back refused with the reason.
+/// Cleans the field, cuts it into strips and these into sub-cells, and measures what they cover. It never
+/// fails: a field that cannot be planned comes back refused with the reason.
 FieldCut cut_field(const Field& field, const planner::Terrain& terrain, const CutParams& params);
 
 }  // namespace swallowtail::coverage

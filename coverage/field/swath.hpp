@@ -8,7 +8,8 @@
 
 namespace swallowtail::coverage {
 
-/// The rectangle of ground that is seen when the sub-cell is flown: its centre line's length, half a swath to each side, nothing beyond the ends.
+/// The rectangle of ground that is seen when the sub-cell is flown: its centre line's length, half a swath to
+/// each side, nothing beyond the ends.
 Ring swath_of(const SubCell& sub_cell);
 
 struct SwathArea {
@@ -16,7 +17,8 @@ struct SwathArea {
   double outside_m2 = 0.0;
 };
 
-/// What the union of the swaths covers of the polygon and beyond it, by polygon union. Errors (kInternal): GEOS failed.
+/// What the union of the swaths covers of the polygon and beyond it, by polygon union. Errors (kInternal):
+/// GEOS failed.
 Result<SwathArea> swath_area(const Polygon& polygon, std::span<const SubCell> sub_cells);
 
 }  // namespace swallowtail::coverage

@@ -48,10 +48,12 @@ std::vector<double> directions_of(const Ring& ring, std::size_t limit) {
     if (angle >= std::numbers::pi - 1e-12) angle = 0.0;
     all.push_back({angle, edge.norm()});
   }
-  std::stable_sort(all.begin(), all.end(), [](const Direction& a, const Direction& b) { return a.length_m > b.length_m; });
+  std::stable_sort(all.begin(), all.end(),
+                   [](const Direction& a, const Direction& b) { return a.length_m > b.length_m; });
   std::vector<double> out;
   for (const Direction& d : all) {
-    const bool known = std::any_of(out.begin(), out.end(), [&](double a) { return std::abs(a - d.angle_rad) < kSameDirection_rad; });
+    const bool known = std::any_of(out.begin(), out.end(),
+                                   [&](double a) { return std::abs(a - d.angle_rad) < kSameDirection_rad; });
     if (!known && out.size() < limit) out.push_back(d.angle_rad);
   }
   return out;
@@ -67,7 +69,8 @@ void add_crossings(const Ring& ring, double low, double step, std::vector<std::v
       const double y = low + (s + 0.5) * step;
       if (y >= b.y()) break;
       if (y < a.y()) continue;
-      crossings[static_cast<std::size_t>(s)].push_back(a.x() + (b.x() - a.x()) * (y - a.y()) / (b.y() - a.y()));
+      crossings[static_cast<std::size_t>(s)].push_back(a.x() +
+                                                       (b.x() - a.x()) * (y - a.y()) / (b.y() - a.y()));
     }
   }
 }

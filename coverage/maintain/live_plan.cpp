@@ -12,8 +12,10 @@ LivePlan live_plan(const Plan& plan) {
   out.area_m2 = plan.area_m2;
   out.complete = plan.status == PlanStatus::kComplete;
   if (!out.complete) {
-    const auto refused = std::find_if(plan.fields.begin(), plan.fields.end(), [](const FieldReport& f) { return f.status == FieldStatus::kRefused; });
-    if (refused != plan.fields.end()) out.reason = "field " + std::to_string(refused->id) + " refused: " + refused->reason;
+    const auto refused = std::find_if(plan.fields.begin(), plan.fields.end(),
+                                      [](const FieldReport& f) { return f.status == FieldStatus::kRefused; });
+    if (refused != plan.fields.end())
+      out.reason = "field " + std::to_string(refused->id) + " refused: " + refused->reason;
   }
   return out;
 }
@@ -24,7 +26,8 @@ void shift_times(LivePlan& plan, std::size_t first_leg, double delay_s) {
     plan.legs[i].end_s = std::max(plan.legs[i].start_s, plan.legs[i].end_s + delay_s);
   }
   for (Rendezvous& meeting : plan.rendezvous) {
-    for (double* time : {&meeting.robot_arrives_s, &meeting.land_s, &meeting.arrive_by_s, &meeting.depart_s}) *time = std::max(0.0, *time + delay_s);
+    for (double* time : {&meeting.robot_arrives_s, &meeting.land_s, &meeting.arrive_by_s, &meeting.depart_s})
+      *time = std::max(0.0, *time + delay_s);
   }
   plan.end_s += delay_s;
 }

@@ -15,9 +15,9 @@ struct LivePlan {
   std::vector<Leg> legs;
   std::vector<Rendezvous> rendezvous;  ///< those ahead, the one under way included
   std::size_t legs_done = 0;
-  double end_s = 0.0;        ///< predicted last landing
+  double end_s = 0.0;  ///< predicted last landing
   double area_m2 = 0.0;
-  bool complete = true;      ///< everything is flown or ahead
+  bool complete = true;         ///< everything is flown or ahead
   double battery_time_s = 0.0;  ///< basis
   double battery_energy = 0.0;
   double vehicle_time_s = 0.0;

@@ -7,16 +7,19 @@ namespace swallowtail::coverage {
 namespace {
 
 constexpr double kAtSite_m = 1.5;
-constexpr double kSettled_s = 1.0;       ///< on the ground before it counts as landed somewhere
+constexpr double kSettled_s = 1.0;  ///< on the ground before it counts as landed somewhere
 constexpr double kShiftEvery_s = 30.0;
 constexpr double kRetryEvery_s = 5.0;
-constexpr double kWorseShare = 0.01;     ///< of the capacity: a slack that fell by less since the last solution is no news
+constexpr double kWorseShare =
+    0.01;  ///< of the capacity: a slack that fell by less since the last solution is no news
 constexpr double kGapOverlap_m = 0.5;
-constexpr double kLeastShare = 0.25;     ///< of the capacity that a flight must take before consumption is learnt from it
+constexpr double kLeastShare =
+    0.25;  ///< of the capacity that a flight must take before consumption is learnt from it
 constexpr double kLeastShareAloft = 0.1;  ///< the same in flight, when the energy is known not to do
-constexpr double kBiasStep = 0.02;       ///< by which consumption is taken to be higher when there is too little to learn from
+constexpr double kBiasStep =
+    0.02;  ///< by which consumption is taken to be higher when there is too little to learn from
 constexpr double kMostBias = 1.25;
-constexpr double kLossRatio = 1.4;       ///< more than this is a loss, not consumption
+constexpr double kLossRatio = 1.4;  ///< more than this is a loss, not consumption
 
 double flat_distance(const Vec3& a, const Vec3& b) { return (a - b).head<2>().norm(); }
 
@@ -28,8 +31,13 @@ Result<PlanKeeper> PlanKeeper::make(Task task, planner::Terrain terrain, KeeperP
   return PlanKeeper(std::move(task), std::move(terrain), params, live_plan(*plan), plan->fields);
 }
 
-PlanKeeper::PlanKeeper(Task task, planner::Terrain terrain, KeeperParams params, LivePlan plan, std::vector<FieldReport> fields)
-    : task_(std::move(task)), terrain_(std::move(terrain)), params_(params), plan_(std::move(plan)), fields_(std::move(fields)) {
+PlanKeeper::PlanKeeper(Task task, planner::Terrain terrain, KeeperParams params, LivePlan plan,
+                       std::vector<FieldReport> fields)
+    : task_(std::move(task)),
+      terrain_(std::move(terrain)),
+      params_(params),
+      plan_(std::move(plan)),
+      fields_(std::move(fields)) {
   for (const Leg& leg : plan_.legs) next_id_ = std::max(next_id_, leg.sub_cell_id + 1);
   plan_.battery_energy = task_.battery.capacity;
 }
@@ -37,13 +45,16 @@ PlanKeeper::PlanKeeper(Task task, planner::Terrain terrain, KeeperParams params,
 double PlanKeeper::energy_now() const {
   if (!battery_) return task_.battery.capacity;
   if (!vehicle_ || vehicle_->on_ground()) return battery_->energy;
-  return battery_->energy - std::max(0.0, vehicle_->time_s - battery_->time_s) * task_.battery.model.level_per_s;
+  return battery_->energy -
+         std::max(0.0, vehicle_->time_s - battery_->time_s) * task_.battery.model.level_per_s;
 }
 
 bool PlanKeeper::covers(std::size_t leg) const {
-  if (!vehicle_ || vehicle_->on_ground() || leg >= plan_.legs.size() || vehicle_->leg_index != leg) return false;
+  if (!vehicle_ || vehicle_->on_ground() || leg >= plan_.legs.size() || vehicle_->leg_index != leg)
+    return false;
   if (plan_.legs[leg].kind != LegKind::kCover) return false;
-  const StripTrack line(plan_.legs[leg], {0.5, task_.height_tolerance_m, 0.5, task_.vehicle.cruise_speed_mps});
+  const StripTrack line(plan_.legs[leg],
+                        {0.5, task_.height_tolerance_m, 0.5, task_.vehicle.cruise_speed_mps});
   const double along = line.along_m(vehicle_->position_m);
   return line.on_line(vehicle_->position_m) && along > 0.1 && along < line.length_m();
 }
@@ -64,12 +75,14 @@ std::optional<FlightCost> PlanKeeper::to_next_landing() const {
     if (i == first && covers(i)) {
       cost += flight.level((leg.exit_m - at).norm());
     } else {
-      cost += flight.transfer(at, leg.entry_m, {direction, leg.exit_m - leg.entry_m}) + flight.level((leg.exit_m - leg.entry_m).norm());
+      cost += flight.transfer(at, leg.entry_m, {direction, leg.exit_m - leg.entry_m}) +
+              flight.level((leg.exit_m - leg.entry_m).norm());
     }
     at = leg.exit_m;
     direction = leg.exit_m - leg.entry_m;
   }
-  if (at_entry && last + 1 < plan_.legs.size()) return cost + flight.transfer_and_land(at, direction, plan_.legs[last + 1].entry_m);
+  if (at_entry && last + 1 < plan_.legs.size())
+    return cost + flight.transfer_and_land(at, direction, plan_.legs[last + 1].entry_m);
   return cost + flight.landing(at);
 }
 
@@ -81,7 +94,8 @@ std::optional<double> PlanKeeper::energy_at_next_landing() const {
 
 bool PlanKeeper::at_meeting(const Vec3& position_m) const {
   return std::any_of(plan_.rendezvous.begin(), plan_.rendezvous.end(), [&](const Rendezvous& meeting) {
-    return flat_distance(meeting.site_m, position_m) < kAtSite_m || (meeting.carry && flat_distance(meeting.carry_to_m, position_m) < kAtSite_m);
+    return flat_distance(meeting.site_m, position_m) < kAtSite_m ||
+           (meeting.carry && flat_distance(meeting.carry_to_m, position_m) < kAtSite_m);
   });
 }
 
@@ -89,9 +103,11 @@ bool PlanKeeper::at_meeting(const Vec3& position_m) const {
 void PlanKeeper::pass_meeting(const Vec3& from_m) {
   for (std::size_t i = 0; i < plan_.rendezvous.size(); ++i) {
     const Rendezvous& meeting = plan_.rendezvous[i];
-    if (flat_distance(meeting.carry ? meeting.carry_to_m : meeting.site_m, from_m) > 2.0 * kAtSite_m) continue;
+    if (flat_distance(meeting.carry ? meeting.carry_to_m : meeting.site_m, from_m) > 2.0 * kAtSite_m)
+      continue;
     if (meeting.id / 2 > plan_.legs_done) break;
-    plan_.rendezvous.erase(plan_.rendezvous.begin(), plan_.rendezvous.begin() + static_cast<std::ptrdiff_t>(i) + 1);
+    plan_.rendezvous.erase(plan_.rendezvous.begin(),
+                           plan_.rendezvous.begin() + static_cast<std::ptrdiff_t>(i) + 1);
     break;
   }
 }
@@ -127,12 +143,15 @@ void PlanKeeper::follow_progress(const AircraftView& vehicle) {
     track_.reset();
   }
   // A meeting before a leg that is flown is over, whether it was kept or not.
-  std::erase_if(plan_.rendezvous, [&](const Rendezvous& meeting) { return meeting.id / 2 + 1 < plan_.legs_done; });
-  if (vehicle.on_ground() || vehicle.leg_index != plan_.legs_done || plan_.legs_done >= plan_.legs.size()) return;
+  std::erase_if(plan_.rendezvous,
+                [&](const Rendezvous& meeting) { return meeting.id / 2 + 1 < plan_.legs_done; });
+  if (vehicle.on_ground() || vehicle.leg_index != plan_.legs_done || plan_.legs_done >= plan_.legs.size())
+    return;
   const Leg& leg = plan_.legs[plan_.legs_done];
   if (leg.kind != LegKind::kCover) return;
   if (!track_ || tracked_leg_ != plan_.legs_done) {
-    track_.emplace(leg, TrackParams{0.5, std::max(0.5, task_.height_tolerance_m), 0.5, task_.vehicle.cruise_speed_mps});
+    track_.emplace(
+        leg, TrackParams{0.5, std::max(0.5, task_.height_tolerance_m), 0.5, task_.vehicle.cruise_speed_mps});
     tracked_leg_ = plan_.legs_done;
   }
   track_->add(vehicle.time_s, vehicle.position_m);
@@ -143,8 +162,10 @@ bool PlanKeeper::on_vehicle(const AircraftView& vehicle) {
   const std::optional<AircraftView> before = vehicle_;
   vehicle_ = vehicle;
   if (before && before->on_ground() && !vehicle.on_ground()) {
-    const bool times_off = !plan_.rendezvous.empty() && has_flown_ &&
-                           std::abs(vehicle.time_s - plan_.rendezvous.front().depart_s) > params_.time_tolerance_s && at_meeting(before->position_m);
+    const bool times_off =
+        !plan_.rendezvous.empty() && has_flown_ &&
+        std::abs(vehicle.time_s - plan_.rendezvous.front().depart_s) > params_.time_tolerance_s &&
+        at_meeting(before->position_m);
     const double late = times_off ? vehicle.time_s - plan_.rendezvous.front().depart_s : 0.0;
     pass_meeting(before->position_m);
     has_flown_ = true;
@@ -178,9 +199,11 @@ bool PlanKeeper::on_battery(const BatteryView& battery) {
 
 bool PlanKeeper::on_robot(const RobotView& robot) {
   robot_ = robot;
-  if (!vehicle_ || plan_.rendezvous.empty() || robot.has_vehicle || vehicle_->mode == AircraftMode::kDocked) return false;
+  if (!vehicle_ || plan_.rendezvous.empty() || robot.has_vehicle || vehicle_->mode == AircraftMode::kDocked)
+    return false;
   Rendezvous& next = plan_.rendezvous.front();
-  const double arrives = robot.time_s + flat_distance(robot.position_m, next.site_m) / task_.charger.speed_mps;
+  const double arrives =
+      robot.time_s + flat_distance(robot.position_m, next.site_m) / task_.charger.speed_mps;
   const double late = arrives - std::max(next.land_s, next.robot_arrives_s);
   if (late < params_.time_tolerance_s || robot.time_s < last_shift_s_ + kShiftEvery_s) return false;
   last_shift_s_ = robot.time_s;
@@ -214,7 +237,8 @@ bool PlanKeeper::review_flight() {
   learn_aloft(*cost);
   slack = energy_now() - cost->energy * bias_ - task_.battery.reserve;
   if (solved_slack_ && slack >= *solved_slack_ - kWorseShare * task_.battery.capacity) return false;
-  const bool changed = solve_in_flight("energy " + std::to_string(std::lround(energy_now())) + " does not reach the next landing");
+  const bool changed = solve_in_flight("energy " + std::to_string(std::lround(energy_now())) +
+                                       " does not reach the next landing");
   const auto after = to_next_landing();
   if (changed && after) {
     take_off_energy_ = energy_now();
@@ -232,7 +256,9 @@ bool PlanKeeper::may_retry() {
 }
 
 bool PlanKeeper::review_gaps() {
-  if (gaps_.empty() || lands_at_once_ || vehicle_->mode == AircraftMode::kLanding || vehicle_->mode == AircraftMode::kTakingOff) return false;
+  if (gaps_.empty() || lands_at_once_ || vehicle_->mode == AircraftMode::kLanding ||
+      vehicle_->mode == AircraftMode::kTakingOff)
+    return false;
   if (!may_retry()) return false;
   return solve_in_flight("a stretch was left out");
 }
@@ -241,7 +267,8 @@ bool PlanKeeper::review_ground() {
   if (bias_is_due_ && battery_ && battery_->time_s >= landed_since_s_) {
     bias_is_due_ = false;
     const double used = take_off_energy_ - battery_->energy;
-    if (take_off_energy_ > 0.0 && take_off_cost_.energy > kLeastShare * task_.battery.capacity && used < kLossRatio * take_off_cost_.energy) {
+    if (take_off_energy_ > 0.0 && take_off_cost_.energy > kLeastShare * task_.battery.capacity &&
+        used < kLossRatio * take_off_cost_.energy) {
       bias_ = std::clamp(0.5 * (bias_ + used / take_off_cost_.energy), 1.0, kMostBias);
     }
     take_off_energy_ = -1.0;
@@ -250,7 +277,9 @@ bool PlanKeeper::review_ground() {
     }
   }
   if (!has_flown_) {
-    if (!battery_ || battery_->energy >= plan_.battery_energy - kWorseShare * task_.battery.capacity || plan_.legs_done > 0) return false;
+    if (!battery_ || battery_->energy >= plan_.battery_energy - kWorseShare * task_.battery.capacity ||
+        plan_.legs_done > 0)
+      return false;
     if (!may_retry()) return false;
     return solve_on_ground("the battery is not full at the start");
   }
@@ -258,7 +287,8 @@ bool PlanKeeper::review_ground() {
   if (vehicle_->time_s < landed_since_s_ + kSettled_s) return false;
   if (plan_.legs_done >= plan_.legs.size() && gaps_.empty()) return false;
   if (!may_retry()) return false;
-  return solve_on_ground(plan_.legs_done >= plan_.legs.size() ? "a stretch was left out" : "landed away from the plan's sites");
+  return solve_on_ground(plan_.legs_done >= plan_.legs.size() ? "a stretch was left out"
+                                                              : "landed away from the plan's sites");
 }
 
 void PlanKeeper::note_revision(const std::string& reason) {

@@ -41,22 +41,27 @@ struct KeeperParams {
   PlanOptions planning;
   /// A landing is in danger when the energy left does not do for so much more than predicted.
   double trigger_margin = 0.03;
-  /// Mission seconds that a change needs to reach the aircraft: what it flies until then cannot be changed. Grows with the mission's rate (see set_reaction).
+  /// Mission seconds that a change needs to reach the aircraft: what it flies until then cannot be changed.
+  /// Grows with the mission's rate (see set_reaction).
   double reaction_s = 1.0;
   double time_tolerance_s = 15.0;  ///< times are published anew only when they are off by more
   int gap_tries = 2;               ///< how often a stretch left out is tried again
-  double resolve_deadline_s = 0.2;  ///< wall time of the local search, on planning.clock; without a clock only its count limits it
+  double resolve_deadline_s =
+      0.2;  ///< wall time of the local search, on planning.clock; without a clock only its count limits it
   std::uint64_t resolve_schedules = 400;
 };
 
-/// Keeps a coverage plan true while it is flown: what is flown stays as a fixed prefix, the rest is scheduled anew when the energy no longer reaches the next landing, when the aircraft lands where it was
-/// not meant to, when a stretch was left out, or (times only) when aircraft or robot are late. Knows no middleware and no wall clock of its own.
+/// Keeps a coverage plan true while it is flown: what is flown stays as a fixed prefix, the rest is scheduled
+/// anew when the energy no longer reaches the next landing, when the aircraft lands where it was not meant
+/// to, when a stretch was left out, or (times only) when aircraft or robot are late. Knows no middleware and
+/// no wall clock of its own.
 class PlanKeeper {
  public:
   /// Plans the task. Errors: see plan_coverage.
   static Result<PlanKeeper> make(Task task, planner::Terrain terrain, KeeperParams params);
 
-  PlanKeeper(Task task, planner::Terrain terrain, KeeperParams params, LivePlan plan, std::vector<FieldReport> fields = {});
+  PlanKeeper(Task task, planner::Terrain terrain, KeeperParams params, LivePlan plan,
+             std::vector<FieldReport> fields = {});
 
   /// Each takes news and tells whether the plan was changed: plan() then has a new revision and a reason.
   bool on_vehicle(const AircraftView& vehicle);
@@ -64,7 +69,8 @@ class PlanKeeper {
   bool on_robot(const RobotView& robot);
   /// For a plan made when others were in force before: its revision is above theirs.
   void set_revision_above(std::uint32_t revision) { plan_.revision = std::max(plan_.revision, revision + 1); }
-  /// For a keeper that started in the middle of a mission without the plan that was flown: the unknown flown legs stand in the prefix as points, and everything is flown again.
+  /// For a keeper that started in the middle of a mission without the plan that was flown: the unknown flown
+  /// legs stand in the prefix as points, and everything is flown again.
   void start_over_after(const AircraftView& vehicle);
   void set_reaction(double reaction_s) { params_.reaction_s = reaction_s; }
 
@@ -123,11 +129,11 @@ class PlanKeeper {
   double unflown_m_ = 0.0;
   double landed_since_s_ = 0.0;
   double last_shift_s_ = -1e9;
-  double retry_s_ = -1e9;               ///< a solution that failed is not tried again before
+  double retry_s_ = -1e9;  ///< a solution that failed is not tried again before
   bool has_flown_ = false;
   double take_off_energy_ = -1.0;
   FlightCost take_off_cost_;
-  double bias_ = 1.0;                   ///< consumption against prediction, as flown
+  double bias_ = 1.0;  ///< consumption against prediction, as flown
   bool bias_is_due_ = false;
   bool lands_at_once_ = false;          ///< until it has landed nothing else is decided
   std::optional<double> solved_slack_;  ///< energy to spare at the next landing when last solved for it

@@ -54,12 +54,14 @@ ScheduleStart PlanKeeper::start_in_air() const {
 std::vector<Leg> PlanKeeper::unflown_legs() {
   std::vector<Leg> out(plan_.legs.begin() + static_cast<std::ptrdiff_t>(plan_.legs_done), plan_.legs.end());
   std::erase_if(out, [](const Leg& leg) { return leg.kind == LegKind::kReposition; });
-  const bool broken_off = track_ && tracked_leg_ == plan_.legs_done && !out.empty() && !covers(plan_.legs_done) &&
+  const bool broken_off = track_ && tracked_leg_ == plan_.legs_done && !out.empty() &&
+                          !covers(plan_.legs_done) &&
                           out.front().sub_cell_id == plan_.legs[plan_.legs_done].sub_cell_id;
   if (broken_off) {
     const double flown = track_->flown_from_entry_m();
     const double length = track_->length_m();
-    if (flown > 1.0 && flown < length) out.front().entry_m += (out.front().exit_m - out.front().entry_m) * ((flown - 0.5) / length);
+    if (flown > 1.0 && flown < length)
+      out.front().entry_m += (out.front().exit_m - out.front().entry_m) * ((flown - 0.5) / length);
   }
   out.insert(out.end(), gaps_.begin(), gaps_.end());
   return out;
@@ -85,7 +87,8 @@ Vec3 PlanKeeper::point_ahead() const {
 
 void PlanKeeper::adopt(RestPlan rest, const std::string& reason) {
   plan_.legs.resize(plan_.legs_done);
-  // What was to follow the last flown leg follows no longer: aloft it flies on, on the ground it stands where it is.
+  // What was to follow the last flown leg follows no longer: aloft it flies on, on the ground it stands where
+  // it is.
   if (plan_.legs_done > 0 && !rest.legs.empty()) {
     Transfer& after = plan_.legs.back().transfer;
     if (!vehicle_->on_ground()) {
@@ -146,17 +149,20 @@ bool PlanKeeper::solve_in_flight(const std::string& reason) {
   return true;
 }
 
-/// Nothing keeps the reserve any more: down at the end of the first leg given, wait for the robot, and go on from there.
+/// Nothing keeps the reserve any more: down at the end of the first leg given, wait for the robot, and go on
+/// from there.
 bool PlanKeeper::land_at_once(std::vector<Leg> legs, const Vec3& at_m, const std::string& reason) {
   const FlightModel flight = model();
-  const double down_s = vehicle_->time_s + flight.level(flat_distance(vehicle_->position_m, at_m)).time_s + flight.landing(at_m).time_s;
+  const double down_s = vehicle_->time_s + flight.level(flat_distance(vehicle_->position_m, at_m)).time_s +
+                        flight.landing(at_m).time_s;
   Leg first = legs.front();
   legs.erase(legs.begin());
   first.transfer = legs.empty() ? Transfer::kEnd : Transfer::kFDUF;
   first.start_s = vehicle_->time_s;
   first.end_s = down_s;
   first.energy_before = energy_now();
-  first.energy_after = std::max(0.0, first.energy_before - (down_s - vehicle_->time_s) * task_.battery.model.level_per_s);
+  first.energy_after =
+      std::max(0.0, first.energy_before - (down_s - vehicle_->time_s) * task_.battery.model.level_per_s);
   RestPlan rest;
   if (!legs.empty()) {
     ScheduleStart start;
@@ -238,11 +244,15 @@ bool PlanKeeper::solve_docked(const std::string& reason) {
   ScheduleStart start;
   start.kind = StartKind::kDocked;
   start.position_m = meeting.carry ? meeting.carry_to_m : meeting.site_m;
-  start.time_s = vehicle_->mode == AircraftMode::kDocked ? vehicle_->time_s : std::max(vehicle_->time_s, robot_arrives_s(meeting.site_m)) + task_.charger.landing_s;
+  start.time_s = vehicle_->mode == AircraftMode::kDocked
+                     ? vehicle_->time_s
+                     : std::max(vehicle_->time_s, robot_arrives_s(meeting.site_m)) + task_.charger.landing_s;
   start.time_s += flat_distance(vehicle_->position_m, start.position_m) / task_.charger.speed_mps;
   start.energy = energy_now();
   // Carried to an entry, it takes off there: that leg stays the next.
-  auto found = plan_rest({std::move(legs), meeting.carry || meeting.id % 2 == 1 ? std::size_t{1} : std::size_t{0}}, start, plan_.legs_done, flight, rest_params());
+  auto found =
+      plan_rest({std::move(legs), meeting.carry || meeting.id % 2 == 1 ? std::size_t{1} : std::size_t{0}},
+                start, plan_.legs_done, flight, rest_params());
   if (!found) return false;
   meeting.charge_to = found->first->energy_to;
   meeting.depart_s = found->first->ready_s + params_.planning.lead_s;
@@ -258,7 +268,8 @@ void PlanKeeper::start_over_after(const AircraftView& vehicle) {
   point.transfer = Transfer::kFF;
   std::vector<Leg> prefix(vehicle.legs_done, point);
   plan_.legs.insert(plan_.legs.begin(), prefix.begin(), prefix.end());
-  for (Rendezvous& meeting : plan_.rendezvous) meeting.id += static_cast<std::uint32_t>(2 * vehicle.legs_done);
+  for (Rendezvous& meeting : plan_.rendezvous)
+    meeting.id += static_cast<std::uint32_t>(2 * vehicle.legs_done);
   shift_times(plan_, vehicle.legs_done, vehicle.time_s);
   plan_.legs_done = vehicle.legs_done;
   plan_.reason = "made anew in the middle of the mission";
@@ -279,11 +290,14 @@ bool PlanKeeper::top_up_charge() {
   Rendezvous& meeting = plan_.rendezvous.front();
   const bool has_next = plan_.rendezvous.size() > 1;
   if (!has_next && plan_.legs.empty()) return false;
-  const double lands_with = has_next ? plan_.rendezvous[1].energy_from : plan_.legs.back().energy_after - model().landing(plan_.legs.back().exit_m).energy;
+  const double lands_with =
+      has_next ? plan_.rendezvous[1].energy_from
+               : plan_.legs.back().energy_after - model().landing(plan_.legs.back().exit_m).energy;
   // The sortie's consumption stays as predicted: both its ends are raised together.
   const double needs = task_.battery.reserve + (meeting.charge_to - lands_with) * (bias_ + kBiasAllowance);
   if (needs <= meeting.charge_to + 1.0) return false;
-  if (needs > task_.battery.capacity) return may_retry() && solve_docked("consumption is higher than predicted");
+  if (needs > task_.battery.capacity)
+    return may_retry() && solve_docked("consumption is higher than predicted");
   const double more = needs - meeting.charge_to;
   const std::size_t past = has_next ? plan_.rendezvous[1].id / 2 + 1 : plan_.legs.size();
   for (std::size_t i = plan_.legs_done; i < past && i < plan_.legs.size(); ++i) {

@@ -6,22 +6,24 @@
 
 namespace swallowtail::coverage {
 
-std::optional<RestPlan> plan_rest(const Rest& rest, const ScheduleStart& start, std::size_t first_index, const FlightModel& model,
-                                  const RestParams& params) {
+std::optional<RestPlan> plan_rest(const Rest& rest, const ScheduleStart& start, std::size_t first_index,
+                                  const FlightModel& model, const RestParams& params) {
   if (rest.legs.empty()) return std::nullopt;
   std::vector<SubCell> cells;
   std::vector<Visit> visits;
   for (std::size_t i = 0; i < rest.legs.size(); ++i) {
     const Leg& leg = rest.legs[i];
     // The cache's id must be unique here, whatever the sub-cells are called.
-    cells.push_back({static_cast<std::uint32_t>(i), leg.field_id, leg.entry_m, leg.exit_m, leg.height_m, leg.width_m});
+    cells.push_back(
+        {static_cast<std::uint32_t>(i), leg.field_id, leg.entry_m, leg.exit_m, leg.height_m, leg.width_m});
     visits.push_back({i, false});
   }
   LinkCache links(model, params.stops.charger);
   StopPlanner stops(links, params.stops);
   StopCondition stop = params.stop;
   stop.max_evaluations = std::min(stop.max_evaluations, params.schedules);
-  if (params.schedules > 0) visits = improve_order(cells, std::move(visits), start, stops, links, stop, rest.fixed).visits;
+  if (params.schedules > 0)
+    visits = improve_order(cells, std::move(visits), start, stops, links, stop, rest.fixed).visits;
   std::vector<RouteLeg> route;
   for (const Visit& visit : visits) route.push_back(route_leg(cells[visit.sub_cell], visit));
   const std::optional<StopPlan> schedule = stops.plan(route, start);

@@ -17,7 +17,7 @@ struct Rest {
 
 struct RestParams {
   StopParams stops;
-  StopCondition stop;         ///< of the local search
+  StopCondition stop;  ///< of the local search
   std::uint64_t schedules = 400;
 };
 
@@ -28,7 +28,9 @@ struct RestPlan {
   double end_s = 0.0;
 };
 
-/// Schedules the rest from a state in the middle of the mission, warm: the given order, improved. Nothing when even that cannot be flown with the reserve kept.
-std::optional<RestPlan> plan_rest(const Rest& rest, const ScheduleStart& start, std::size_t first_index, const FlightModel& model, const RestParams& params);
+/// Schedules the rest from a state in the middle of the mission, warm: the given order, improved. Nothing
+/// when even that cannot be flown with the reserve kept.
+std::optional<RestPlan> plan_rest(const Rest& rest, const ScheduleStart& start, std::size_t first_index,
+                                  const FlightModel& model, const RestParams& params);
 
 }  // namespace swallowtail::coverage

@@ -21,7 +21,8 @@ double StripTrack::along_m(const Vec3& position_m) const {
 
 bool StripTrack::on_line(const Vec3& position_m) const {
   const double s = along_m(position_m);
-  const Vec3 nearest = length_m() < 1e-9 ? entry_m_ : Vec3(entry_m_ + (exit_m_ - entry_m_) * (s / length_m()));
+  const Vec3 nearest =
+      length_m() < 1e-9 ? entry_m_ : Vec3(entry_m_ + (exit_m_ - entry_m_) * (s / length_m()));
   const Vec3 off = position_m - nearest;
   return off.head<2>().norm() <= params_.lateral_m + 1e-6 && std::abs(off.z()) <= params_.height_m + 1e-6;
 }
@@ -42,7 +43,8 @@ void StripTrack::add(double time_s, const Vec3& position_m) {
         piece = {std::min(now.along_m, last_->along_m), std::max(now.along_m, last_->along_m)};
       }
     }
-    if (!flown_.empty() && piece.from_m <= flown_.back().to_m + 1e-9 && piece.from_m >= flown_.back().from_m) {
+    if (!flown_.empty() && piece.from_m <= flown_.back().to_m + 1e-9 &&
+        piece.from_m >= flown_.back().from_m) {
       flown_.back().to_m = std::max(flown_.back().to_m, piece.to_m);
     } else {
       flown_.push_back(piece);
@@ -75,7 +77,8 @@ std::vector<Gap> StripTrack::gaps() const {
   std::vector<Gap> out;
   if (flown.front().from_m > end_slack) out.push_back({0.0, flown.front().from_m});
   for (std::size_t i = 0; i + 1 < flown.size(); ++i) {
-    if (flown[i + 1].from_m - flown[i].to_m > params_.gap_m) out.push_back({flown[i].to_m, flown[i + 1].from_m});
+    if (flown[i + 1].from_m - flown[i].to_m > params_.gap_m)
+      out.push_back({flown[i].to_m, flown[i + 1].from_m});
   }
   if (length_m() - flown.back().to_m > end_slack) out.push_back({flown.back().to_m, length_m()});
   return out;

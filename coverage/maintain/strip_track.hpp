@@ -8,10 +8,10 @@
 namespace swallowtail::coverage {
 
 struct TrackParams {
-  double lateral_m = 0.5;   ///< from the centre line, that still counts as flown
-  double height_m = 2.0;    ///< above or below the leg's altitude
-  double gap_m = 0.5;       ///< shorter gaps are none
-  double speed_mps = 8.0;   ///< cruise
+  double lateral_m = 0.5;  ///< from the centre line, that still counts as flown
+  double height_m = 2.0;   ///< above or below the leg's altitude
+  double gap_m = 0.5;      ///< shorter gaps are none
+  double speed_mps = 8.0;  ///< cruise
 };
 
 /// A stretch of a leg that was not flown, in metres from its entry.
@@ -20,10 +20,12 @@ struct Gap {
   double to_m = 0.0;
 };
 
-/// Follows what of one leg was really flown, from positions. Two positions on the line with nothing off it between them are taken as joined; how finely the ends are known depends on how often positions come.
+/// Follows what of one leg was really flown, from positions. Two positions on the line with nothing off it
+/// between them are taken as joined; how finely the ends are known depends on how often positions come.
 class StripTrack {
  public:
-  StripTrack(const Leg& leg, const TrackParams& params) : entry_m_(leg.entry_m), exit_m_(leg.exit_m), params_(params) {}
+  StripTrack(const Leg& leg, const TrackParams& params)
+      : entry_m_(leg.entry_m), exit_m_(leg.exit_m), params_(params) {}
 
   void add(double time_s, const Vec3& position_m);
   /// The leg now ends here, on its line.
@@ -34,7 +36,8 @@ class StripTrack {
   double length_m() const { return (exit_m_ - entry_m_).norm(); }
   bool seen() const { return seen_; }
 
-  /// What is missing once the leg is said to be flown. When no position was on its line, all of it, unless positions came so seldom that none had to be: then it is believed.
+  /// What is missing once the leg is said to be flown. When no position was on its line, all of it, unless
+  /// positions came so seldom that none had to be: then it is believed.
   std::vector<Gap> gaps() const;
   /// How much from the entry on is flown without a gap; 0 when it was not begun at the entry.
   double flown_from_entry_m() const;

@@ -12,24 +12,33 @@ Vec3 to_vec(const data::Vec3& v) { return {v.x_m, v.y_m, v.z_m}; }
 data::Vec3 to_data(const Vec3& v) { return {.x_m = v.x(), .y_m = v.y(), .z_m = v.z()}; }
 
 planner::VehicleLimits to_limits(const data::VehicleLimits& v) {
-  return {v.radius_m, v.margin_m, v.cruise_speed_mps, v.climb_speed_mps, v.descent_speed_mps, v.turn_max_rad, v.climb_max_rad};
+  return {v.radius_m,          v.margin_m,     v.cruise_speed_mps, v.climb_speed_mps,
+          v.descent_speed_mps, v.turn_max_rad, v.climb_max_rad};
 }
 
 Battery to_battery(const data::BatteryLimits& b) {
   const data::EnergyModel& m = b.model;
-  return {b.capacity, b.reserve, static_cast<int>(std::min<std::uint32_t>(b.levels, 1000)), b.charge_s_per_unit,
+  return {b.capacity,
+          b.reserve,
+          static_cast<int>(std::min<std::uint32_t>(b.levels, 1000)),
+          b.charge_s_per_unit,
           {m.level_per_s, m.climb_per_s, m.descent_per_s, m.hover_per_s, m.landed_per_s}};
 }
 
 AircraftMode to_mode(data::VehicleMode mode) {
   switch (mode) {
-    case data::VehicleMode::kLanded: return AircraftMode::kLanded;
-    case data::VehicleMode::kDocked: return AircraftMode::kDocked;
-    case data::VehicleMode::kTakingOff: return AircraftMode::kTakingOff;
-    case data::VehicleMode::kLanding: return AircraftMode::kLanding;
+    case data::VehicleMode::kLanded:
+      return AircraftMode::kLanded;
+    case data::VehicleMode::kDocked:
+      return AircraftMode::kDocked;
+    case data::VehicleMode::kTakingOff:
+      return AircraftMode::kTakingOff;
+    case data::VehicleMode::kLanding:
+      return AircraftMode::kLanding;
     case data::VehicleMode::kTransfer:
     case data::VehicleMode::kCovering:
-    case data::VehicleMode::kHolding: return AircraftMode::kFlying;
+    case data::VehicleMode::kHolding:
+      return AircraftMode::kFlying;
   }
   return AircraftMode::kFlying;
 }
@@ -91,7 +100,8 @@ Task to_task(const data::CoverageTask& in) {
   out.neighbours = static_cast<int>(in.neighbours);
   out.vehicle = to_limits(in.vehicle);
   out.battery = to_battery(in.battery);
-  out.charger = {in.charger.charger_id, in.charger.speed_mps, in.charger.take_off_s, in.charger.landing_s, to_vec(in.charger.start)};
+  out.charger = {in.charger.charger_id, in.charger.speed_mps, in.charger.take_off_s, in.charger.landing_s,
+                 to_vec(in.charger.start)};
   out.start_m = to_vec(in.start);
   out.seed = in.seed;
   return out;
@@ -106,13 +116,15 @@ Status check_polygons(const Task& task) {
 }
 
 AircraftView to_view(const data::VehicleState& state) {
-  return {state.time_s, to_vec(state.position), to_vec(state.velocity_mps), to_mode(state.mode), state.leg_index, state.legs_done};
+  return {state.time_s,        to_vec(state.position), to_vec(state.velocity_mps),
+          to_mode(state.mode), state.leg_index,        state.legs_done};
 }
 
 BatteryView to_view(const data::BatteryState& state) { return {state.time_s, state.energy}; }
 
 RobotView to_view(const data::ChargerState& state) {
-  return {state.time_s, to_vec(state.position), state.docked_vehicle_id != 0, state.activity == data::ChargerActivity::kDelayed};
+  return {state.time_s, to_vec(state.position), state.docked_vehicle_id != 0,
+          state.activity == data::ChargerActivity::kDelayed};
 }
 
 WirePlans to_wire(const PlanKeeper& keeper, std::uint32_t terrain_revision) {
@@ -123,7 +135,8 @@ WirePlans to_wire(const PlanKeeper& keeper, std::uint32_t terrain_revision) {
   coverage.task_id = task.id;
   coverage.vehicle_id = task.vehicle_id;
   coverage.revision = plan.revision;
-  coverage.basis = {task.revision, terrain_revision, plan.battery_time_s, std::max(0.0, plan.battery_energy), plan.vehicle_time_s};
+  coverage.basis = {task.revision, terrain_revision, plan.battery_time_s, std::max(0.0, plan.battery_energy),
+                    plan.vehicle_time_s};
   coverage.legs_done = static_cast<std::uint32_t>(plan.legs_done);
   coverage.cost = plan.end_s;
   coverage.makespan_s = plan.end_s;
@@ -155,14 +168,16 @@ LivePlan from_wire(const data::CoveragePlan& in, const Task& task, const planner
   out.area_m2 = in.field_area_m2;
   out.complete = in.complete;
   for (const data::Leg& leg : in.legs) {
-    out.legs.push_back({leg.sub_cell_id, 0, leg.kind == data::LegKind::kCover ? LegKind::kCover : LegKind::kReposition, to_vec(leg.entry),
-                        to_vec(leg.exit), leg.height_m, task.sensor_width_m, static_cast<Transfer>(leg.transfer), leg.energy_before,
-                        leg.energy_after, leg.start_s, leg.end_s});
+    out.legs.push_back(
+        {leg.sub_cell_id, 0, leg.kind == data::LegKind::kCover ? LegKind::kCover : LegKind::kReposition,
+         to_vec(leg.entry), to_vec(leg.exit), leg.height_m, task.sensor_width_m,
+         static_cast<Transfer>(leg.transfer), leg.energy_before, leg.energy_after, leg.start_s, leg.end_s});
   }
   for (std::size_t i = 0; i + 1 < out.legs.size(); ++i) {
     const Leg& leg = out.legs[i];
     const Leg& next = out.legs[i + 1];
-    const bool at_exit = leg.transfer == Transfer::kFDUF || leg.transfer == Transfer::kFDUFDU || leg.transfer == Transfer::kFDTU;
+    const bool at_exit = leg.transfer == Transfer::kFDUF || leg.transfer == Transfer::kFDUFDU ||
+                         leg.transfer == Transfer::kFDTU;
     const bool at_entry = leg.transfer == Transfer::kFFDU || leg.transfer == Transfer::kFDUFDU;
     const double lift = model.take_off(next.entry_m).energy;
     const auto add = [&](std::size_t id, const Vec3& above, double needs) {
@@ -178,8 +193,11 @@ LivePlan from_wire(const data::CoveragePlan& in, const Task& task, const planner
       meeting.charge_to = std::min(task.battery.capacity, needs);
       out.rendezvous.push_back(meeting);
     };
-    const double hop = (next.entry_m - leg.exit_m).norm() / task.vehicle.cruise_speed_mps * task.battery.model.level_per_s;
-    if (at_exit) add(2 * i, leg.exit_m, leg.transfer == Transfer::kFDUFDU ? task.battery.capacity : next.energy_before + lift + hop);
+    const double hop =
+        (next.entry_m - leg.exit_m).norm() / task.vehicle.cruise_speed_mps * task.battery.model.level_per_s;
+    if (at_exit)
+      add(2 * i, leg.exit_m,
+          leg.transfer == Transfer::kFDUFDU ? task.battery.capacity : next.energy_before + lift + hop);
     if (at_entry) add(2 * i + 1, next.entry_m, next.energy_before + lift);
   }
   return out;

@@ -15,7 +15,8 @@ constexpr double kCapacityTolerance = 1e-6;
 
 }  // namespace
 
-Result<std::unique_ptr<CoverageParticipant>> CoverageParticipant::make(Bus& bus, const Clock& clock, ParticipantOptions options) {
+Result<std::unique_ptr<CoverageParticipant>> CoverageParticipant::make(Bus& bus, const Clock& clock,
+                                                                       ParticipantOptions options) {
   std::unique_ptr<CoverageParticipant> coverage(new CoverageParticipant(bus, clock, options));
   if (Status status = coverage->connect(); !status) return status.error();
   return coverage;
@@ -25,10 +26,12 @@ CoverageParticipant::CoverageParticipant(Bus& bus, const Clock& clock, Participa
     : bus_(bus), clock_(clock), options_(options), alive_(options.liveliness_period_s) {}
 
 Status CoverageParticipant::connect() {
-  auto status = StatusPublisher::make(bus_, clock_, {.participant_id = data::kCoverageId, .name = "coverage"});
+  auto status =
+      StatusPublisher::make(bus_, clock_, {.participant_id = data::kCoverageId, .name = "coverage"});
   if (!status) return status.error();
   status_ = std::move(status).value();
-  const PublisherOptions strength{.ownership_strength = static_cast<std::int32_t>(options_.ownership_strength)};
+  const PublisherOptions strength{.ownership_strength =
+                                      static_cast<std::int32_t>(options_.ownership_strength)};
   auto coverage = bus_.publisher<data::CoveragePlan>(strength);
   if (!coverage) return coverage.error();
   coverage_publisher_ = std::move(coverage).value();
@@ -44,14 +47,16 @@ Status CoverageParticipant::connect() {
 Status CoverageParticipant::subscribe_world() {
   const auto inbox = inbox_;
   const Clock* wall = &clock_;
-  Status done = bus_.subscribe<data::MissionClock>({.on_sample = [inbox, wall](const data::MissionClock& c) { inbox->time.update(c, wall->now_s()); }});
+  Status done = bus_.subscribe<data::MissionClock>(
+      {.on_sample = [inbox, wall](const data::MissionClock& c) { inbox->time.update(c, wall->now_s()); }});
   if (!done) return done;
   done = bus_.subscribe<data::TerrainTile>({.on_sample = [inbox](const data::TerrainTile& tile) {
     const std::lock_guard lock(inbox->mutex);
     if (inbox->tiles.size() < kMaxWaitingTiles) inbox->tiles.push_back(tile);
   }});
   if (!done) return done;
-  done = bus_.subscribe<data::CoverageTask>({.on_sample = [inbox](const data::CoverageTask& task) { inbox->task.put(task); }});
+  done = bus_.subscribe<data::CoverageTask>(
+      {.on_sample = [inbox](const data::CoverageTask& task) { inbox->task.put(task); }});
   if (!done) return done;
   return bus_.subscribe<data::CoveragePlan>({.on_sample = [inbox](const data::CoveragePlan& plan) {
     if (inbox->own_revision.load() == 0) inbox->plan.put(plan);
@@ -61,19 +66,22 @@ Status CoverageParticipant::subscribe_world() {
 Status CoverageParticipant::subscribe_states() {
   const auto inbox = inbox_;
   Bus* bus = &bus_;
-  Status done = bus_.subscribe<data::VehicleState>({.on_sample = [inbox, bus](const data::VehicleState& state) {
-    const std::uint32_t ours = inbox->vehicle_id.load();
-    if (ours != 0 && state.vehicle_id != ours) return bus->count_rejection("VehicleState", "unknown vehicle");
-    const std::lock_guard lock(inbox->mutex);
-    if (inbox->vehicle.size() >= kMaxWaitingStates) inbox->vehicle.pop_front();
-    inbox->vehicle.push_back(state);
-  }});
+  Status done =
+      bus_.subscribe<data::VehicleState>({.on_sample = [inbox, bus](const data::VehicleState& state) {
+        const std::uint32_t ours = inbox->vehicle_id.load();
+        if (ours != 0 && state.vehicle_id != ours)
+          return bus->count_rejection("VehicleState", "unknown vehicle");
+        const std::lock_guard lock(inbox->mutex);
+        if (inbox->vehicle.size() >= kMaxWaitingStates) inbox->vehicle.pop_front();
+        inbox->vehicle.push_back(state);
+      }});
   if (!done) return done;
   done = bus_.subscribe<data::BatteryState>({.on_sample = [inbox, bus](const data::BatteryState& state) {
     const std::uint32_t ours = inbox->vehicle_id.load();
     if (ours != 0 && state.vehicle_id != ours) return bus->count_rejection("BatteryState", "unknown vehicle");
     const double capacity = inbox->capacity.load();
-    if (ours != 0 && state.energy > capacity * (1.0 + kCapacityTolerance)) return bus->count_rejection("BatteryState", "energy above the task's capacity");
+    if (ours != 0 && state.energy > capacity * (1.0 + kCapacityTolerance))
+      return bus->count_rejection("BatteryState", "energy above the task's capacity");
     inbox->battery.put(state);
   }});
   if (!done) return done;
@@ -110,7 +118,8 @@ void CoverageParticipant::take_task() {
     status_->set_health(task_ ? data::Health::kReady : data::Health::kDegraded, good.error().message);
     return;
   }
-  if (keeper_ && keeper_->plan().legs_done > 0) return bus_.count_rejection("CoverageTask", "a mission is under way");
+  if (keeper_ && keeper_->plan().legs_done > 0)
+    return bus_.count_rejection("CoverageTask", "a mission is under way");
   task_ = std::move(*task);
   needs_plan_ = true;
   inbox_->vehicle_id.store(task_->vehicle_id);
@@ -144,14 +153,17 @@ void CoverageParticipant::resume_or_plan(const planner::Terrain& terrain) {
   params.planning.seed = task_->seed;
   params.planning.mode = options_.mode;
   params.planning.clock = &clock_;
-  params.planning.stop = {.clock = &clock_, .deadline_s = began_s + options_.planning_s, .stop_requested = options_.stop_requested};
+  params.planning.stop = {.clock = &clock_,
+                          .deadline_s = began_s + options_.planning_s,
+                          .stop_requested = options_.stop_requested};
   const auto found = inbox_->plan.take();
   const std::uint32_t last_revision = keeper_ ? keeper_->plan().revision : 0;
   if (found && !keeper_ && found->task_id == task_->task_id && found->vehicle_id == task_->vehicle_id &&
       found->basis.task_revision == task_->revision) {
     const Task task = to_task(*task_);
     keeper_.emplace(task, terrain, params, from_wire(*found, task, terrain));
-    status_->set_health(data::Health::kReady, "goes on with plan revision " + std::to_string(found->revision));
+    status_->set_health(data::Health::kReady,
+                        "goes on with plan revision " + std::to_string(found->revision));
   } else {
     Result<PlanKeeper> made = PlanKeeper::make(to_task(*task_), terrain, params);
     if (!made) {
@@ -159,7 +171,8 @@ void CoverageParticipant::resume_or_plan(const planner::Terrain& terrain) {
       return status_->set_health(data::Health::kDegraded, made.error().message);
     }
     keeper_.emplace(std::move(*made));
-    keeper_->set_revision_above(std::max(last_revision, last_vehicle_ ? last_vehicle_->coverage_revision : 0));
+    keeper_->set_revision_above(
+        std::max(last_revision, last_vehicle_ ? last_vehicle_->coverage_revision : 0));
     if (last_vehicle_ && last_vehicle_->legs_done > 0) keeper_->start_over_after(to_view(*last_vehicle_));
     status_->add_latency_ms((clock_.now_s() - began_s) * 1e3);
     status_->set_health(data::Health::kReady, "plan revision " + std::to_string(keeper_->plan().revision));
@@ -180,7 +193,8 @@ void CoverageParticipant::take_states() {
   keeper_->set_reaction(std::max(1.0, inbox_->time.rate() * options_.reaction_wall_s));
   const double began_s = clock_.now_s();
   bool changed = false;
-  if (charger && charger->charger_id == task_->charger.charger_id) changed |= keeper_->on_robot(to_view(*charger));
+  if (charger && charger->charger_id == task_->charger.charger_id)
+    changed |= keeper_->on_robot(to_view(*charger));
   for (const data::VehicleState& state : states) {
     if (state.vehicle_id == task_->vehicle_id) changed |= keeper_->on_vehicle(to_view(state));
   }
@@ -189,7 +203,8 @@ void CoverageParticipant::take_states() {
   is_published_ = false;
   status_->count_replan();
   status_->add_latency_ms((clock_.now_s() - began_s) * 1e3);
-  status_->set_health(data::Health::kReady, "revision " + std::to_string(keeper_->plan().revision) + ": " + keeper_->plan().reason);
+  status_->set_health(data::Health::kReady,
+                      "revision " + std::to_string(keeper_->plan().revision) + ": " + keeper_->plan().reason);
 }
 
 Status CoverageParticipant::publish_plan() {

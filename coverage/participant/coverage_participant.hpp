@@ -29,13 +29,17 @@ struct ParticipantOptions {
   const std::atomic<bool>* stop_requested = nullptr;
 };
 
-/// Joins PlanKeeper to the wire: reads CoverageTask, TerrainTile, VehicleState, BatteryState, ChargerState and MissionClock, writes CoveragePlan, ChargerPlan and ParticipantStatus. A new revision of the task
-/// is planned afresh while the aircraft has not flown; later ones are refused. A plan found on the wire for the task (of another coverage participant, gone or going) is taken up, not made anew.
+/// Joins PlanKeeper to the wire: reads CoverageTask, TerrainTile, VehicleState, BatteryState, ChargerState
+/// and MissionClock, writes CoveragePlan, ChargerPlan and ParticipantStatus. A new revision of the task is
+/// planned afresh while the aircraft has not flown; later ones are refused. A plan found on the wire for the
+/// task (of another coverage participant, gone or going) is taken up, not made anew.
 class CoverageParticipant {
  public:
-  static Result<std::unique_ptr<CoverageParticipant>> make(Bus& bus, const Clock& clock, ParticipantOptions options);
+  static Result<std::unique_ptr<CoverageParticipant>> make(Bus& bus, const Clock& clock,
+                                                           ParticipantOptions options);
 
-  /// Takes what has arrived, plans, publishes what is due. Call it every 20 ms or so; it returns late after a (re)plan.
+  /// Takes what has arrived, plans, publishes what is due. Call it every 20 ms or so; it returns late after a
+  /// (re)plan.
   Status step();
   bool ended() const { return inbox_->time.ended(); }
 
@@ -46,7 +50,7 @@ class CoverageParticipant {
   struct Inbox {
     MissionTime time;
     Mailbox<data::CoverageTask> task;
-    Mailbox<data::CoveragePlan> plan;      ///< of somebody else, before ours
+    Mailbox<data::CoveragePlan> plan;  ///< of somebody else, before ours
     Mailbox<data::BatteryState> battery;
     Mailbox<data::ChargerState> charger;
     std::mutex mutex;

@@ -12,7 +12,8 @@
 
 namespace swallowtail::coverage {
 
-/// Puts the tiles of terrain map 1 together. Tiles of another size of map begin it anew; older revisions of a tile are ignored.
+/// Puts the tiles of terrain map 1 together. Tiles of another size of map begin it anew; older revisions of a
+/// tile are ignored.
 class GroundMap {
  public:
   static constexpr std::uint32_t kMapId = 1;

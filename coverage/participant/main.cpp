@@ -24,9 +24,14 @@ int main(int argc, char** argv) {
   CLI::App app("Plans the coverage of a CoverageTask's fields and keeps the plan true while it is flown.");
   std::uint32_t domain = 0;
   swallowtail::coverage::ParticipantOptions options;
-  app.add_option("--domain", domain, "DDS domain")->check(CLI::Range(0U, swallowtail::kMaxDomain))->capture_default_str();
-  app.add_option("--planning-s", options.planning_s, "wall time for the first plan")->check(CLI::Range(0.1, 3600.0))->capture_default_str();
-  app.add_option("--strength", options.ownership_strength, "of ownership: of several coverage participants the strongest is heard")
+  app.add_option("--domain", domain, "DDS domain")
+      ->check(CLI::Range(0U, swallowtail::kMaxDomain))
+      ->capture_default_str();
+  app.add_option("--planning-s", options.planning_s, "wall time for the first plan")
+      ->check(CLI::Range(0.1, 3600.0))
+      ->capture_default_str();
+  app.add_option("--strength", options.ownership_strength,
+                 "of ownership: of several coverage participants the strongest is heard")
       ->check(CLI::Range(1U, 1'000'000U))
       ->capture_default_str();
   app.footer(kExamples);

@@ -6,7 +6,8 @@ namespace swallowtail::coverage {
 namespace {
 
 /// Walks along one sortie and dates its legs.
-void date_legs(const Sortie& sortie, std::span<const RouteLeg> route, const ScheduleStart& start, LinkCache& links, std::span<Leg> legs) {
+void date_legs(const Sortie& sortie, std::span<const RouteLeg> route, const ScheduleStart& start,
+               LinkCache& links, std::span<Leg> legs) {
   if (sortie.leg_count == 0) return;
   const FlightModel& model = links.model();
   const FlownLeg& first = route[sortie.first_leg].flown;
@@ -21,10 +22,12 @@ void date_legs(const Sortie& sortie, std::span<const RouteLeg> route, const Sche
     so_far = model.transfer(start.position_m, first.entry_m, {start.direction, along});
   } else {
     const bool above = (start.position_m - first.entry_m).head<2>().norm() < 1e-3;
-    so_far = above ? model.take_off(first.entry_m) : model.take_off_to(start.position_m, first.entry_m, along);
+    so_far =
+        above ? model.take_off(first.entry_m) : model.take_off_to(start.position_m, first.entry_m, along);
   }
   for (std::size_t i = sortie.first_leg; i < sortie.first_leg + sortie.leg_count; ++i) {
-    if (i > sortie.first_leg) so_far += links.get(route[i - 1].id, route[i - 1].flown, route[i].id, route[i].flown).hop;
+    if (i > sortie.first_leg)
+      so_far += links.get(route[i - 1].id, route[i - 1].flown, route[i].id, route[i].flown).hop;
     legs[i].start_s = sortie.take_off_s + so_far.time_s;
     legs[i].energy_before = sortie.energy_at_take_off - so_far.energy;
     so_far += model.level(route[i].flown.direction().norm());
@@ -40,8 +43,9 @@ Vec3 place(const Site& site, std::span<const RouteLeg> route, const FlightModel&
 
 }  // namespace
 
-Expansion expand(std::span<const SubCell> sub_cells, std::span<const Visit> visits, const ScheduleStart& start, const StopPlan& stops,
-                 LinkCache& links, std::size_t first_index) {
+Expansion expand(std::span<const SubCell> sub_cells, std::span<const Visit> visits,
+                 const ScheduleStart& start, const StopPlan& stops, LinkCache& links,
+                 std::size_t first_index) {
   Expansion out;
   std::vector<RouteLeg> route;
   for (const Visit& visit : visits) {
@@ -83,7 +87,8 @@ Expansion expand(std::span<const SubCell> sub_cells, std::span<const Visit> visi
     meeting.charge_to = recharge.energy_to;
     meeting.wait_s = recharge.wait_s;
     meeting.carry = recharge.carried_to.has_value();
-    meeting.carry_to_m = recharge.carried_to ? place(*recharge.carried_to, route, links.model()) : meeting.site_m;
+    meeting.carry_to_m =
+        recharge.carried_to ? place(*recharge.carried_to, route, links.model()) : meeting.site_m;
     out.rendezvous.push_back(meeting);
   }
   if (!out.legs.empty()) out.legs.back().transfer = Transfer::kEnd;

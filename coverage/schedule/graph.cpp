@@ -11,19 +11,22 @@ namespace {
 constexpr double kNoBattery = 1e9;
 
 double site_distance(const SubCell& a, const SubCell& b) {
-  return std::min({(a.alpha_m - b.alpha_m).norm(), (a.alpha_m - b.beta_m).norm(), (a.beta_m - b.alpha_m).norm(), (a.beta_m - b.beta_m).norm()});
+  return std::min({(a.alpha_m - b.alpha_m).norm(), (a.alpha_m - b.beta_m).norm(),
+                   (a.beta_m - b.alpha_m).norm(), (a.beta_m - b.beta_m).norm()});
 }
 
 /// Which sub-cells are linked, as a symmetric relation.
 class Neighbourhood {
  public:
-  Neighbourhood(std::span<const SubCell> cells, double height_band_m, int neighbours) : size_(cells.size()), linked_(size_ * size_, 0) {
+  Neighbourhood(std::span<const SubCell> cells, double height_band_m, int neighbours)
+      : size_(cells.size()), linked_(size_ * size_, 0) {
     by_distance_.resize(size_);
     for (std::size_t i = 0; i < size_; ++i) {
       std::vector<std::pair<double, std::size_t>> order;
       for (std::size_t j = 0; j < size_; ++j) {
         if (j == i) continue;
-        if (std::abs(cells[i].alpha_m.z() - cells[j].alpha_m.z()) <= height_band_m + 1e-6) linked_[i * size_ + j] = 1;
+        if (std::abs(cells[i].alpha_m.z() - cells[j].alpha_m.z()) <= height_band_m + 1e-6)
+          linked_[i * size_ + j] = 1;
         order.emplace_back(site_distance(cells[i], cells[j]), j);
       }
       std::sort(order.begin(), order.end());
@@ -75,12 +78,17 @@ class Neighbourhood {
 /// Lists the arcs. Vertex of (sub-cell i, entry side s, level l of 1 … k): 1 + (2i + s)·k + l − 1.
 class ArcBuilder {
  public:
-  ArcBuilder(std::span<const SubCell> cells, const ScheduleStart& start, const GraphParams& params, LinkCache& links)
+  ArcBuilder(std::span<const SubCell> cells, const ScheduleStart& start, const GraphParams& params,
+             LinkCache& links)
       : cells_(cells), start_(start), params_(params), links_(links), factor_(params.stops.energy_factor) {
     const Battery& battery = params.stops.battery;
     const bool counts = params.levels > 1;
-    terms_ = {counts ? battery.capacity : kNoBattery, battery.reserve, battery.charge_s_per_unit,
-              params.stops.charger.take_off_s, params.stops.charger.landing_s, counts ? factor_ : 0.0};
+    terms_ = {counts ? battery.capacity : kNoBattery,
+              battery.reserve,
+              battery.charge_s_per_unit,
+              params.stops.charger.take_off_s,
+              params.stops.charger.landing_s,
+              counts ? factor_ : 0.0};
     for (const SubCell& cell : cells_) {
       cover_.push_back(links_.model().level(cell.length_m()));
       // Either end counts: over terrain one may stand higher.
@@ -93,12 +101,15 @@ class ArcBuilder {
   std::vector<gtsp::ArcInput> take() { return std::move(arcs_); }
 
  private:
-  int vertex(std::size_t cell, int side, int level) const { return 1 + static_cast<int>(2 * cell + static_cast<std::size_t>(side)) * params_.levels + level - 1; }
+  int vertex(std::size_t cell, int side, int level) const {
+    return 1 + static_cast<int>(2 * cell + static_cast<std::size_t>(side)) * params_.levels + level - 1;
+  }
   double energy_of(int level) const { return params_.stops.battery.capacity * level / params_.levels; }
   /// The least level with which the sub-cell can be entered, flown and left for the ground; levels + 1: none.
   int least_level(std::size_t cell, int side) const {
     if (params_.levels == 1) return 1;
-    const double needs = params_.stops.battery.reserve + (cover_[cell].energy + landing_[side][cell].energy) * factor_;
+    const double needs =
+        params_.stops.battery.reserve + (cover_[cell].energy + landing_[side][cell].energy) * factor_;
     return std::max(1, static_cast<int>(std::ceil(needs / energy_of(1) - 1e-9)));
   }
   void add_from_start();
@@ -121,24 +132,31 @@ void ArcBuilder::add_from_start() {
   for (std::size_t j = 0; j < cells_.size(); ++j) {
     for (int side = 0; side < 2; ++side) {
       const FlownLeg leg = flown(cells_[j], side == 1);
-      const FlightCost lift = start_.kind == StartKind::kAir
-                                  ? model.transfer(start_.position_m, leg.entry_m, {start_.direction, leg.direction()})
-                                  : model.take_off_to(start_.position_m, leg.entry_m, leg.direction());
+      const FlightCost lift =
+          start_.kind == StartKind::kAir
+              ? model.transfer(start_.position_m, leg.entry_m, {start_.direction, leg.direction()})
+              : model.take_off_to(start_.position_m, leg.entry_m, leg.direction());
       const int least = least_level(j, side);
       const double arrives = start_.energy - lift.energy * factor_;
-      const int reached = params_.levels == 1 ? 1 : std::min(params_.levels, static_cast<int>(std::floor(arrives / energy_of(1) + 1e-9)));
+      const int reached =
+          params_.levels == 1
+              ? 1
+              : std::min(params_.levels, static_cast<int>(std::floor(arrives / energy_of(1) + 1e-9)));
       if (reached >= least) arcs_.push_back({0, vertex(j, side, reached), lift.time_s + cover_[j].time_s});
       if (start_.kind != StartKind::kDocked || params_.levels == 1) continue;
       for (int level = std::max(reached + 1, least); level <= params_.levels; ++level) {
         const double needs = energy_of(level) + lift.energy * factor_;
         if (needs > terms_.capacity) break;
-        arcs_.push_back({0, vertex(j, side, level), (needs - start_.energy) * terms_.charge_s_per_unit + lift.time_s + cover_[j].time_s});
+        arcs_.push_back(
+            {0, vertex(j, side, level),
+             (needs - start_.energy) * terms_.charge_s_per_unit + lift.time_s + cover_[j].time_s});
       }
     }
   }
 }
 
-void ArcBuilder::add_at_level(std::size_t i, int side_i, int level, std::size_t j, int side_j, const LegLink& link) {
+void ArcBuilder::add_at_level(std::size_t i, int side_i, int level, std::size_t j, int side_j,
+                              const LegLink& link) {
   const double at_exit = params_.levels == 1 ? kNoBattery : energy_of(level) - cover_[i].energy * factor_;
   if (params_.levels == 1) {
     // Without a battery it may still be quicker to be carried nowhere: flying is the only transfer.
@@ -148,7 +166,9 @@ void ArcBuilder::add_at_level(std::size_t i, int side_i, int level, std::size_t 
   const int least = least_level(j, side_j);
   const double arrives = at_exit - link.hop.energy * factor_;
   const int flown_on = static_cast<int>(std::floor(arrives / energy_of(1) + 1e-9));
-  if (flown_on >= least) arcs_.push_back({vertex(i, side_i, level), vertex(j, side_j, flown_on), link.hop.time_s + cover_[j].time_s});
+  if (flown_on >= least)
+    arcs_.push_back(
+        {vertex(i, side_i, level), vertex(j, side_j, flown_on), link.hop.time_s + cover_[j].time_s});
   for (int to = std::max(flown_on + 1, least); to <= params_.levels; ++to) {
     const auto choice = best_transfer(link, at_exit, energy_of(to), terms_);
     if (!choice) break;  // a higher level asks for more still
@@ -191,8 +211,8 @@ RouteLeg route_leg(const SubCell& cell, const Visit& visit) {
   return {2 * cell.id + (visit.from_beta ? 1U : 0U), flown(cell, visit.from_beta)};
 }
 
-Result<LayeredGraph> LayeredGraph::build(std::span<const SubCell> cells, const ScheduleStart& start, const GraphParams& params,
-                                         LinkCache& links) {
+Result<LayeredGraph> LayeredGraph::build(std::span<const SubCell> cells, const ScheduleStart& start,
+                                         const GraphParams& params, LinkCache& links) {
   const Neighbourhood near(cells, params.height_band_m, params.neighbours);
   ArcBuilder builder(cells, start, params, links);
   if (const Status status = builder.add_all(near); !status) return status.error();
@@ -222,7 +242,9 @@ std::vector<Visit> LayeredGraph::decode(std::span<const int> tour) const {
 
 std::vector<int> LayeredGraph::encode(std::span<const Visit> visits) const {
   std::vector<int> out{0};
-  for (const Visit& visit : visits) out.push_back(1 + (2 * static_cast<int>(visit.sub_cell) + (visit.from_beta ? 1 : 0)) * levels_ + levels_ - 1);
+  for (const Visit& visit : visits)
+    out.push_back(1 + (2 * static_cast<int>(visit.sub_cell) + (visit.from_beta ? 1 : 0)) * levels_ + levels_ -
+                  1);
   return out;
 }
 

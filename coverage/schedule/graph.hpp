@@ -34,13 +34,17 @@ struct GraphStatistics {
   int neighbours = 0;  ///< X after widening
 };
 
-/// The layered GTSP instance [COV 4]: cluster 0 is the start; cluster i + 1 is sub-cell i with vertices (entry site, energy level on entry). An edge exists between sub-cells within the height band or
-/// among each other's X nearest; X is widened until all hang together. Its cost is the least of the five transfers plus the time to cover the sub-cell it leads to.
-/// Departs from [COV]: of several levels that an uncharged flight could be taken to arrive with only the highest gets an edge, since the others cannot be better.
+/// The layered GTSP instance [COV 4]: cluster 0 is the start; cluster i + 1 is sub-cell i with vertices
+/// (entry site, energy level on entry). An edge exists between sub-cells within the height band or among each
+/// other's X nearest; X is widened until all hang together. Its cost is the least of the five transfers plus
+/// the time to cover the sub-cell it leads to. Departs from [COV]: of several levels that an uncharged flight
+/// could be taken to arrive with only the highest gets an edge, since the others cannot be better.
 class LayeredGraph {
  public:
-  /// Errors (kInfeasible): no sub-cell can be flown with the battery. Preconditions: at least one sub-cell; ids of sub-cells unique.
-  static Result<LayeredGraph> build(std::span<const SubCell> sub_cells, const ScheduleStart& start, const GraphParams& params, LinkCache& links);
+  /// Errors (kInfeasible): no sub-cell can be flown with the battery. Preconditions: at least one sub-cell;
+  /// ids of sub-cells unique.
+  static Result<LayeredGraph> build(std::span<const SubCell> sub_cells, const ScheduleStart& start,
+                                    const GraphParams& params, LinkCache& links);
 
   const gtsp::Instance& instance() const { return instance_; }
   const GraphStatistics& statistics() const { return statistics_; }

@@ -11,9 +11,15 @@ constexpr double kBetter_s = 1e-6;
 
 class LocalSearch {
  public:
-  LocalSearch(std::span<const SubCell> cells, std::vector<Visit> visits, const ScheduleStart& start, StopPlanner& stops, LinkCache& links,
-              const StopCondition& stop, std::size_t first_free)
-      : cells_(cells), visits_(std::move(visits)), start_(start), stops_(stops), links_(links), stop_(stop), first_free_(first_free) {
+  LocalSearch(std::span<const SubCell> cells, std::vector<Visit> visits, const ScheduleStart& start,
+              StopPlanner& stops, LinkCache& links, const StopCondition& stop, std::size_t first_free)
+      : cells_(cells),
+        visits_(std::move(visits)),
+        start_(start),
+        stops_(stops),
+        links_(links),
+        stop_(stop),
+        first_free_(first_free) {
     end_s_ = evaluate(visits_);
     tolerance_s_ = 2.0 * links.model().stop().time_s;
   }
@@ -43,7 +49,9 @@ class LocalSearch {
   double hop(const Visit* a, const Visit* b) {
     if (b == nullptr) return 0.0;
     const RouteLeg to = route_leg(cells_[b->sub_cell], *b);
-    if (a == nullptr) return (to.flown.entry_m - start_.position_m).head<2>().norm() / links_.model().limits().cruise_speed_mps;
+    if (a == nullptr)
+      return (to.flown.entry_m - start_.position_m).head<2>().norm() /
+             links_.model().limits().cruise_speed_mps;
     const RouteLeg from = route_leg(cells_[a->sub_cell], *a);
     return links_.get(from.id, from.flown, to.id, to.flown).hop.time_s;
   }
@@ -62,21 +70,27 @@ class LocalSearch {
   bool try_reversal(std::size_t i, std::size_t j) {
     const Visit first = turned(visits_[j]);
     const Visit last = turned(visits_[i]);
-    const double gain = hop(before(i), at(i)) + hop(at(j), at(j + 1)) - hop(before(i), &first) - hop(&last, at(j + 1));
+    const double gain =
+        hop(before(i), at(i)) + hop(at(j), at(j + 1)) - hop(before(i), &first) - hop(&last, at(j + 1));
     if (gain < -tolerance_s_) return false;
     std::vector<Visit> candidate = visits_;
-    std::reverse(candidate.begin() + static_cast<std::ptrdiff_t>(i), candidate.begin() + static_cast<std::ptrdiff_t>(j) + 1);
+    std::reverse(candidate.begin() + static_cast<std::ptrdiff_t>(i),
+                 candidate.begin() + static_cast<std::ptrdiff_t>(j) + 1);
     for (std::size_t k = i; k <= j; ++k) candidate[k].from_beta = !candidate[k].from_beta;
     return accept(candidate);
   }
-  /// Takes `count` visits at i and puts them between `to` − 1 and `to` (positions before the removal, outside the chain).
+  /// Takes `count` visits at i and puts them between `to` − 1 and `to` (positions before the removal, outside
+  /// the chain).
   bool try_move(std::size_t i, std::size_t count, std::size_t to, bool turn) {
     const Visit first = turn ? turned(visits_[i + count - 1]) : visits_[i];
     const Visit last = turn ? turned(visits_[i]) : visits_[i + count - 1];
-    const double gain = hop(before(i), at(i)) + hop(at(i + count - 1), at(i + count)) + hop(before(to), at(to)) -
-                        hop(before(i), at(i + count)) - hop(before(to), &first) - hop(&last, at(to));
+    const double gain = hop(before(i), at(i)) + hop(at(i + count - 1), at(i + count)) +
+                        hop(before(to), at(to)) - hop(before(i), at(i + count)) - hop(before(to), &first) -
+                        hop(&last, at(to));
     if (gain < -tolerance_s_) return false;
-    const auto place = [](std::vector<Visit>& v, std::size_t k) { return v.begin() + static_cast<std::ptrdiff_t>(k); };
+    const auto place = [](std::vector<Visit>& v, std::size_t k) {
+      return v.begin() + static_cast<std::ptrdiff_t>(k);
+    };
     std::vector<Visit> candidate = visits_;
     std::vector<Visit> chain(place(candidate, i), place(candidate, i + count));
     candidate.erase(place(candidate, i), place(candidate, i + count));
@@ -118,21 +132,24 @@ bool LocalSearch::sweep_moves() {
 
 }  // namespace
 
-ImproveReport improve_order(std::span<const SubCell> sub_cells, std::vector<Visit> visits, const ScheduleStart& start, StopPlanner& stops,
-                            LinkCache& links, const StopCondition& stop, std::size_t first_free) {
+ImproveReport improve_order(std::span<const SubCell> sub_cells, std::vector<Visit> visits,
+                            const ScheduleStart& start, StopPlanner& stops, LinkCache& links,
+                            const StopCondition& stop, std::size_t first_free) {
   if (visits.empty()) return {std::move(visits), start.time_s, 0};
   return LocalSearch(sub_cells, std::move(visits), start, stops, links, stop, first_free).run();
 }
 
 std::vector<Visit> boustrophedon_order(std::span<const SubCell> sub_cells, const Vec3& from_m) {
-  // Sub-cells come strip by strip; the nearest field's first or last is taken, then the field is swept to its other end.
+  // Sub-cells come strip by strip; the nearest field's first or last is taken, then the field is swept to its
+  // other end.
   struct Block {
     std::size_t first;
     std::size_t past;
   };
   std::vector<Block> blocks;
   for (std::size_t i = 0; i < sub_cells.size(); ++i) {
-    if (blocks.empty() || sub_cells[blocks.back().first].field_id != sub_cells[i].field_id) blocks.push_back({i, i});
+    if (blocks.empty() || sub_cells[blocks.back().first].field_id != sub_cells[i].field_id)
+      blocks.push_back({i, i});
     blocks.back().past = i + 1;
   }
   std::vector<Visit> out;
@@ -144,7 +161,8 @@ std::vector<Visit> boustrophedon_order(std::span<const SubCell> sub_cells, const
     for (std::size_t b = 0; b < blocks.size(); ++b) {
       for (const bool last : {false, true}) {
         const SubCell& cell = sub_cells[last ? blocks[b].past - 1 : blocks[b].first];
-        const double distance = std::min((cell.alpha_m - at).head<2>().norm(), (cell.beta_m - at).head<2>().norm());
+        const double distance =
+            std::min((cell.alpha_m - at).head<2>().norm(), (cell.beta_m - at).head<2>().norm());
         if (distance < least) {
           least = distance;
           best = b;

@@ -9,25 +9,35 @@ namespace {
 
 /// What each mode may spend; a deadline can cut it short.
 struct Budget {
-  int layered_vertices;     ///< largest layered graph that is searched
-  int plain_vertices;       ///< largest graph without levels
+  int layered_vertices;      ///< largest layered graph that is searched
+  int plain_vertices;        ///< largest graph without levels
   std::uint64_t iterations;  ///< of the layered search
-  std::uint64_t schedules;  ///< computed by the local search, times the number of sub-cells: a schedule's time grows with it
+  std::uint64_t schedules;   ///< computed by the local search, times the number of sub-cells: a schedule's
+                             ///< time grows with it
 };
 
 Budget budget_of(gtsp::Mode mode) {
   switch (mode) {
-    case gtsp::Mode::kFast: return {1700, 1000, 4'000, 60'000};
-    case gtsp::Mode::kDefault: return {3000, 2000, 20'000, 400'000};
-    case gtsp::Mode::kSlow: return {6000, 4000, std::numeric_limits<std::uint64_t>::max(), 4'000'000};
+    case gtsp::Mode::kFast:
+      return {1700, 1000, 4'000, 60'000};
+    case gtsp::Mode::kDefault:
+      return {3000, 2000, 20'000, 400'000};
+    case gtsp::Mode::kSlow:
+      return {6000, 4000, std::numeric_limits<std::uint64_t>::max(), 4'000'000};
   }
   return {1700, 1000, 4'000, 60'000};
 }
 
 class OrderSearch {
  public:
-  OrderSearch(std::span<const SubCell> cells, const ScheduleStart& start, const Task& task, const PlanOptions& options, LinkCache& links)
-      : cells_(cells), start_(start), task_(task), options_(options), links_(links), budget_(budget_of(options.mode)),
+  OrderSearch(std::span<const SubCell> cells, const ScheduleStart& start, const Task& task,
+              const PlanOptions& options, LinkCache& links)
+      : cells_(cells),
+        start_(start),
+        task_(task),
+        options_(options),
+        links_(links),
+        budget_(budget_of(options.mode)),
         stops_(links, stop_params(task, options)) {}
 
   Result<Order> run();
@@ -114,7 +124,8 @@ void OrderSearch::compare_with_full_graph(const GraphParams& params) {
   const Result<LayeredGraph> graph = LayeredGraph::build(cells_, start_, full, links_);
   if (!graph || statistics_.gtsp_cost <= 0.0) return;
   const gtsp::Solution solution = solve(*graph, true);
-  if (!solution.tour.empty()) statistics_.full_graph_gap_percent = 100.0 * (statistics_.gtsp_cost / solution.cost - 1.0);
+  if (!solution.tour.empty())
+    statistics_.full_graph_gap_percent = 100.0 * (statistics_.gtsp_cost / solution.cost - 1.0);
 }
 
 Result<Order> OrderSearch::run() {
@@ -124,15 +135,18 @@ Result<Order> OrderSearch::run() {
   if (1 + 2 * n * task_.battery.levels <= budget_.layered_vertices && task_.battery.levels > 1) {
     solve_graph(task_.battery.levels, "layered graph");
     if (options_.full_graph == FullGraph::kCompare) {
-      compare_with_full_graph({stop_params(task_, options_), task_.height_band_m, task_.neighbours, task_.battery.levels});
+      compare_with_full_graph(
+          {stop_params(task_, options_), task_.height_band_m, task_.neighbours, task_.battery.levels});
     }
   }
   if (best_.empty()) {
-    return infeasible("No order of the sub-cells can be flown: the battery, " + std::to_string(start_.energy) +
+    return infeasible("No order of the sub-cells can be flown: the battery, " +
+                      std::to_string(start_.energy) +
                       " at the start, does not reach the first sub-cell and a landing with the reserve.");
   }
   StopCondition stop = options_.stop;
-  stop.max_evaluations = std::min(stop.max_evaluations, std::max<std::uint64_t>(100, budget_.schedules / cells_.size()));
+  stop.max_evaluations =
+      std::min(stop.max_evaluations, std::max<std::uint64_t>(100, budget_.schedules / cells_.size()));
   ImproveReport improved = improve_order(cells_, best_, start_, stops_, links_, stop);
   statistics_.schedules_computed += improved.evaluations;
   if (improved.end_s < best_end_s_ - 1e-6) {
@@ -144,8 +158,8 @@ Result<Order> OrderSearch::run() {
 
 }  // namespace
 
-Result<Order> find_order(std::span<const SubCell> sub_cells, const ScheduleStart& start, const Task& task, const PlanOptions& options,
-                         LinkCache& links) {
+Result<Order> find_order(std::span<const SubCell> sub_cells, const ScheduleStart& start, const Task& task,
+                         const PlanOptions& options, LinkCache& links) {
   return OrderSearch(sub_cells, start, task, options, links).run();
 }
 

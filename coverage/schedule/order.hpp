@@ -13,8 +13,10 @@ struct Order {
   PlanStatistics statistics;
 };
 
-/// In which order and which way round to fly the sub-cells: the layered graph's tour, the tour of the graph without levels and the strip order compete under the true objective; the best is improved.
-/// Errors (kInfeasible): no order can be scheduled. (kInterrupted).
-Result<Order> find_order(std::span<const SubCell> sub_cells, const ScheduleStart& start, const Task& task, const PlanOptions& options, LinkCache& links);
+/// In which order and which way round to fly the sub-cells: the layered graph's tour, the tour of the graph
+/// without levels and the strip order compete under the true objective; the best is improved. Errors
+/// (kInfeasible): no order can be scheduled. (kInterrupted).
+Result<Order> find_order(std::span<const SubCell> sub_cells, const ScheduleStart& start, const Task& task,
+                         const PlanOptions& options, LinkCache& links);
 
 }  // namespace swallowtail::coverage

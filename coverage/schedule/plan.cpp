@@ -16,15 +16,19 @@ constexpr double kPieceStops = 2.0;
 /// Share of the longest flight that a sub-cell may be: the rest is for getting there.
 constexpr double kLengthShare = 0.95;
 
-double piece_cost_m(const Task& task) { return task.sensor_width_m + kPieceStops * planner::kStopToTurn_s * task.vehicle.cruise_speed_mps; }
+double piece_cost_m(const Task& task) {
+  return task.sensor_width_m + kPieceStops * planner::kStopToTurn_s * task.vehicle.cruise_speed_mps;
+}
 
-/// What one battery flies straight at a height, its own take-off and landing left aside; not positive: it does not even lift.
+/// What one battery flies straight at a height, its own take-off and landing left aside; not positive: it
+/// does not even lift.
 double longest_leg_m(const Task& task, double height_m, const StopParams& stops) {
   const EnergyModel& model = task.battery.model;
   const double up = height_m / task.vehicle.climb_speed_mps * model.climb_per_s;
   const double down = height_m / task.vehicle.descent_speed_mps * model.descent_per_s;
   const double stopping = 2.0 * planner::kStopToTurn_s * model.hover_per_s;
-  const double left = (task.battery.capacity - task.battery.reserve - stops.spare) / stops.energy_factor - up - down - stopping;
+  const double left = (task.battery.capacity - task.battery.reserve - stops.spare) / stops.energy_factor -
+                      up - down - stopping;
   return kLengthShare * left / model.level_per_s * task.vehicle.cruise_speed_mps;
 }
 
@@ -63,7 +67,8 @@ void add_field_totals(Plan& plan) {
 
 Status validate(const Task& task) {
   if (task.fields.empty()) return bad_input("The task has no field.");
-  if (!is_positive(task.sensor_width_m)) return bad_input("The sensor width must be a positive number of metres.");
+  if (!is_positive(task.sensor_width_m))
+    return bad_input("The sensor width must be a positive number of metres.");
   if (!is_non_negative(task.height_tolerance_m) || !is_non_negative(task.height_band_m)) {
     return bad_input("Height tolerance and height band must not be negative.");
   }
@@ -117,7 +122,8 @@ FieldsCut cut_fields(const Task& task, const planner::Terrain& terrain, const Pl
 Result<Plan> plan_coverage(const Task& task, const planner::Terrain& terrain, const PlanOptions& options) {
   const double began = options.clock != nullptr ? options.clock->now_s() : 0.0;
   if (const Status status = validate(task); !status) return status.error();
-  if (!is_within(options.energy_margin, 0.0, 1.0) || !is_within(options.energy_spare, 0.0, 0.5) || !is_non_negative(options.lead_s)) {
+  if (!is_within(options.energy_margin, 0.0, 1.0) || !is_within(options.energy_spare, 0.0, 0.5) ||
+      !is_non_negative(options.lead_s)) {
     return bad_input("The energy margin must be 0 to 1, the spare 0 to 0.5 and the lead not negative.");
   }
   FieldsCut cut = cut_fields(task, terrain, options);
@@ -126,7 +132,8 @@ Result<Plan> plan_coverage(const Task& task, const planner::Terrain& terrain, co
   plan.sub_cells = std::move(cut.sub_cells);
   add_field_totals(plan);
   if (plan.sub_cells.empty()) {
-    return infeasible("No field can be planned. Field '" + plan.fields.front().name + "': " + plan.fields.front().reason);
+    return infeasible("No field can be planned. Field '" + plan.fields.front().name +
+                      "': " + plan.fields.front().reason);
   }
   const FlightModel model(task.vehicle, task.battery.model, terrain);
   LinkCache links(model, task.charger);

@@ -29,17 +29,18 @@ struct Leg {
   double end_s = 0.0;
 };
 
-/// A meeting of aircraft and ground robot. Ids grow along the plan: 2i at the exit of leg i, 2i + 1 at the entry of leg i + 1.
+/// A meeting of aircraft and ground robot. Ids grow along the plan: 2i at the exit of leg i, 2i + 1 at the
+/// entry of leg i + 1.
 struct Rendezvous {
   std::uint32_t id = 0;
   Vec3 site_m = Vec3::Zero();  ///< on the ground
   double robot_arrives_s = 0.0;
   double land_s = 0.0;
-  double arrive_by_s = 0.0;    ///< the aircraft's landing: the robot does best to be there by then
-  double depart_s = 0.0;       ///< take-off
+  double arrive_by_s = 0.0;  ///< the aircraft's landing: the robot does best to be there by then
+  double depart_s = 0.0;     ///< take-off
   double energy_from = 0.0;
-  double charge_to = 0.0;      ///< energy on take-off
-  double wait_s = 0.0;         ///< of the aircraft, landed
+  double charge_to = 0.0;  ///< energy on take-off
+  double wait_s = 0.0;     ///< of the aircraft, landed
   bool carry = false;
   Vec3 carry_to_m = Vec3::Zero();
 };
@@ -66,12 +67,15 @@ enum class PlanStatus : std::uint8_t {
 };
 
 struct PlanStatistics {
-  int vertices = 0;             ///< of the layered graph; of the graph without levels where the layered one would be too large
+  int vertices =
+      0;  ///< of the layered graph; of the graph without levels where the layered one would be too large
   std::size_t edges = 0;
-  int neighbours = 0;           ///< X after widening
-  double gtsp_cost = 0.0;       ///< of the layered graph's tour; 0: not solved
-  std::string order_from;       ///< which search the order is from: "layered graph", "graph without levels", "strip order"; " + local search"
-  double full_graph_gap_percent = -1.0;  ///< cost of the pruned graph's tour above the full graph's; −1: not asked for
+  int neighbours = 0;      ///< X after widening
+  double gtsp_cost = 0.0;  ///< of the layered graph's tour; 0: not solved
+  std::string order_from;  ///< which search the order is from: "layered graph", "graph without levels",
+                           ///< "strip order"; " + local search"
+  double full_graph_gap_percent =
+      -1.0;  ///< cost of the pruned graph's tour above the full graph's; −1: not asked for
   std::uint64_t schedules_computed = 0;
   double gtsp_wall_s = 0.0;
   double wall_s = 0.0;
@@ -83,15 +87,15 @@ struct Plan {
   std::vector<SubCell> sub_cells;
   std::vector<Leg> legs;
   std::vector<Rendezvous> rendezvous;
-  double cost = 0.0;            ///< what was minimised: the makespan
-  double makespan_s = 0.0;      ///< from the start to the last landing
+  double cost = 0.0;        ///< what was minimised: the makespan
+  double makespan_s = 0.0;  ///< from the start to the last landing
   double flight_m = 0.0;
   double flight_s = 0.0;
   int recharges = 0;
-  double wait_s = 0.0;          ///< landed, waiting for the robot
-  double energy_min = 0.0;      ///< least energy at any predicted landing
+  double wait_s = 0.0;      ///< landed, waiting for the robot
+  double energy_min = 0.0;  ///< least energy at any predicted landing
   double energy_used = 0.0;
-  double area_m2 = 0.0;         ///< of the planned fields
+  double area_m2 = 0.0;          ///< of the planned fields
   double covered_percent = 0.0;  ///< of the planned fields' area
   PlanStatistics statistics;
 };
@@ -100,7 +104,7 @@ enum class FullGraph : std::uint8_t { kSkip, kCompare };
 
 struct PlanOptions {
   std::uint64_t seed = 1;
-  StopCondition stop;            ///< deadline or request to stop; evaluations and iterations are limited by `mode`
+  StopCondition stop;  ///< deadline or request to stop; evaluations and iterations are limited by `mode`
   gtsp::Mode mode = gtsp::Mode::kFast;
   const Clock* clock = nullptr;  ///< for wall times in the report; without it they are 0
   double energy_margin = 0.08;   ///< allowance for wind and noise: flights are predicted to take so much more
@@ -110,9 +114,11 @@ struct PlanOptions {
   int threads = 1;
 };
 
-/// Task to timed schedule [COV Alg. 2]: cuts fields, orders sub-cells by the layered GTSP, then places landings, charging and carrying exactly on a continuous battery, and improves the order under
-/// that objective. Deterministic for a seed unless a deadline strikes.
-/// Errors: (kBadInput) the task; (kInfeasible) no field can be planned, or the battery does not reach the first sub-cell; (kInterrupted) stop was requested before there was a plan.
+/// Task to timed schedule [COV Alg. 2]: cuts fields, orders sub-cells by the layered GTSP, then places
+/// landings, charging and carrying exactly on a continuous battery, and improves the order under that
+/// objective. Deterministic for a seed unless a deadline strikes. Errors: (kBadInput) the task; (kInfeasible)
+/// no field can be planned, or the battery does not reach the first sub-cell; (kInterrupted) stop was
+/// requested before there was a plan.
 Result<Plan> plan_coverage(const Task& task, const planner::Terrain& terrain, const PlanOptions& options);
 
 StopParams stop_params(const Task& task, const PlanOptions& options);

@@ -14,7 +14,8 @@ double ground_distance(const Vec3& a, const Vec3& b) { return (a - b).head<2>().
 
 }  // namespace
 
-const LegLink& LinkCache::get(std::uint32_t from_id, const FlownLeg& from, std::uint32_t to_id, const FlownLeg& to) {
+const LegLink& LinkCache::get(std::uint32_t from_id, const FlownLeg& from, std::uint32_t to_id,
+                              const FlownLeg& to) {
   const std::uint64_t key = (static_cast<std::uint64_t>(from_id) << 32) | to_id;
   const auto found = links_.find(key);
   if (found != links_.end()) return found->second;
@@ -37,19 +38,20 @@ struct StopPlanner::Label {
   FlightCost flight;
 };
 
-/// Nodes: 0 the start, 2i+1 the exit of leg i, 2i+2 the entry of leg i+1. The exit of the last leg is the end.
+/// Nodes: 0 the start, 2i+1 the exit of leg i, 2i+2 the entry of leg i+1. The exit of the last leg is the
+/// end.
 struct StopPlanner::Search {
   std::span<const RouteLeg> legs;
   const ScheduleStart* start = nullptr;
   const StopParams* params = nullptr;
-  std::vector<const LegLink*> links;   // i → i+1
+  std::vector<const LegLink*> links;  // i → i+1
   std::vector<FlightCost> cover;
-  std::vector<FlightCost> before;      // covers and hops before entry i, from entry 0
-  std::vector<double> time_left;       // at least, from entry i to the end
-  std::vector<double> price_left;      // at least, with the energy bought at the charging rate
-  std::vector<double> energy_left;     // at least
-  double landing_time_s = 0.0;         // one landing in between adds at least so much to time_left
-  double landing_price = 0.0;          // and to price_left
+  std::vector<FlightCost> before;   // covers and hops before entry i, from entry 0
+  std::vector<double> time_left;    // at least, from entry i to the end
+  std::vector<double> price_left;   // at least, with the energy bought at the charging rate
+  std::vector<double> energy_left;  // at least
+  double landing_time_s = 0.0;      // one landing in between adds at least so much to time_left
+  double landing_price = 0.0;       // and to price_left
   double cutoff_s = kInfinity;
   FlightCost start_lift;
   FlightCost end_landing;
@@ -62,14 +64,18 @@ struct StopPlanner::Search {
   std::size_t next_leg(int node) const { return node == 0 ? 0 : static_cast<std::size_t>((node + 1) / 2); }
   Vec3 site(int node) const {
     if (node == 0) return start->position_m;
-    return node % 2 == 1 ? legs[static_cast<std::size_t>(node / 2)].flown.exit_m : legs[static_cast<std::size_t>(node / 2)].flown.entry_m;
+    return node % 2 == 1 ? legs[static_cast<std::size_t>(node / 2)].flown.exit_m
+                         : legs[static_cast<std::size_t>(node / 2)].flown.entry_m;
   }
   FlightCost lift(int node) const {
     if (node == 0) return start_lift;
-    return node % 2 == 1 ? links[static_cast<std::size_t>(node / 2)]->lift_from_exit : links[static_cast<std::size_t>(node / 2) - 1]->lift_at_entry;
+    return node % 2 == 1 ? links[static_cast<std::size_t>(node / 2)]->lift_from_exit
+                         : links[static_cast<std::size_t>(node / 2) - 1]->lift_at_entry;
   }
   /// Entry of `first` to exit of `last`, flown.
-  FlightCost through(std::size_t first, std::size_t last) const { return before[last] + cover[last] - before[first]; }
+  FlightCost through(std::size_t first, std::size_t last) const {
+    return before[last] + cover[last] - before[first];
+  }
 
   void prepare(LinkCache& cache);
   void bound_rest();
@@ -80,7 +86,8 @@ struct StopPlanner::Search {
     const double room = (battery.capacity - battery.reserve) / params->energy_factor;
     const double landings = std::max(0.0, std::ceil(energy_left[next] / room - 1e-9) - 1.0);
     return time_s + std::max(time_left[next] + landings * landing_time_s,
-                             price_left[next] + landings * landing_price - battery.charge_s_per_unit * (energy - battery.reserve));
+                             price_left[next] + landings * landing_price -
+                                 battery.charge_s_per_unit * (energy - battery.reserve));
   }
   void add(const Label& label);
   bool fly(int from, const FlightCost& flight, int to);
@@ -93,7 +100,8 @@ void StopPlanner::Search::prepare(LinkCache& cache) {
   for (std::size_t i = 0; i < size(); ++i) {
     cover.push_back(model.level(legs[i].flown.direction().norm()));
     before.push_back(i == 0 ? FlightCost{} : before[i - 1] + cover[i - 1] + links[i - 1]->hop);
-    if (i + 1 < size()) links.push_back(&cache.get(legs[i].id, legs[i].flown, legs[i + 1].id, legs[i + 1].flown));
+    if (i + 1 < size())
+      links.push_back(&cache.get(legs[i].id, legs[i].flown, legs[i + 1].id, legs[i + 1].flown));
   }
   const FlownLeg& first = legs.front().flown;
   std::optional<Vec3> along;
@@ -102,7 +110,8 @@ void StopPlanner::Search::prepare(LinkCache& cache) {
   if (start->kind == StartKind::kAir) {
     start_lift = model.transfer(start->position_m, first.entry_m, {start->direction, along});
   } else {
-    start_lift = away < 1e-3 ? model.take_off(first.entry_m) : model.take_off_to(start->position_m, first.entry_m, along);
+    start_lift = away < 1e-3 ? model.take_off(first.entry_m)
+                             : model.take_off_to(start->position_m, first.entry_m, along);
   }
   end_landing = model.landing(legs.back().flown.exit_m);
   at.resize(2 * size() + 1);
@@ -138,7 +147,8 @@ void StopPlanner::Search::bound_rest() {
     landing_price = std::min(landing_price, landed_price - cost);
     time_left[i] += time_left[i + 1] + time;
     price_left[i] += price_left[i + 1] + cost;
-    energy_left[i] += energy_left[i + 1] + std::min({link.hop.energy, at_exit.energy, at_entry.energy, carried.energy});
+    energy_left[i] +=
+        energy_left[i + 1] + std::min({link.hop.energy, at_exit.energy, at_entry.energy, carried.energy});
   }
 }
 
@@ -151,7 +161,9 @@ void StopPlanner::Search::add(const Label& label) {
     return;
   }
   const double price = params->battery.charge_s_per_unit;
-  const auto beats = [&](const Label& a, const Label& b) { return a.time_s + price * std::max(0.0, b.energy - a.energy) <= b.time_s + kRounding; };
+  const auto beats = [&](const Label& a, const Label& b) {
+    return a.time_s + price * std::max(0.0, b.energy - a.energy) <= b.time_s + kRounding;
+  };
   std::vector<int>& here = at[static_cast<std::size_t>(label.node)];
   for (const int other : here) {
     if (beats(labels[static_cast<std::size_t>(other)], label)) return;
@@ -176,7 +188,8 @@ bool StopPlanner::Search::fly(int from, const FlightCost& flight, int to) {
   const double wait = ends ? 0.0 : std::max(0.0, drive + slack - flight.time_s);
   const double grounded = battery.model.landed_per_s * (ends ? 0.0 : wait + charger.landing_s);
   const bool under_way = at_start && start->kind == StartKind::kAir && params->air_factor > 0.0;
-  const double allowance = under_way ? flight.energy * params->air_factor : flight.energy * params->energy_factor + params->spare;
+  const double allowance =
+      under_way ? flight.energy * params->air_factor : flight.energy * params->energy_factor + params->spare;
   const double needs = battery.reserve + allowance + grounded;
   if (needs > battery.capacity + kRounding) return false;
   if (!can_charge && needs > label.energy + kRounding) return false;
@@ -245,7 +258,8 @@ void StopPlanner::run(std::span<const RouteLeg> legs, const ScheduleStart& start
     const std::vector<int> here = search.at[static_cast<std::size_t>(node)];
     for (const int id : here) {
       const Label& label = search.labels[static_cast<std::size_t>(id)];
-      if (search.least_end(label.time_s, label.energy, search.next_leg(node)) < search.cutoff_s) search.expand(id);
+      if (search.least_end(label.time_s, label.energy, search.next_leg(node)) < search.cutoff_s)
+        search.expand(id);
     }
   }
 }
@@ -264,15 +278,19 @@ std::optional<StopPlan> StopPlanner::plan(std::span<const RouteLeg> legs, const 
   run(legs, start, search);
   if (search.best < 0) return std::nullopt;
   std::vector<int> chain;
-  for (int id = search.best; id >= 0; id = search.labels[static_cast<std::size_t>(id)].parent) chain.push_back(id);
+  for (int id = search.best; id >= 0; id = search.labels[static_cast<std::size_t>(id)].parent)
+    chain.push_back(id);
   std::reverse(chain.begin(), chain.end());
   const auto site_of = [](int node) {
     if (node == 0) return Site{};
-    return node % 2 == 1 ? Site{Site::Kind::kExit, static_cast<std::size_t>(node / 2)} : Site{Site::Kind::kEntry, static_cast<std::size_t>(node / 2)};
+    return node % 2 == 1 ? Site{Site::Kind::kExit, static_cast<std::size_t>(node / 2)}
+                         : Site{Site::Kind::kEntry, static_cast<std::size_t>(node / 2)};
   };
   StopPlan out;
   std::optional<Recharge> pending;
-  if (start.kind == StartKind::kDocked) pending = Recharge{Site{}, std::nullopt, start.time_s, start.time_s, start.energy, start.energy, start.time_s, 0.0};
+  if (start.kind == StartKind::kDocked)
+    pending = Recharge{Site{},       std::nullopt, start.time_s, start.time_s,
+                       start.energy, start.energy, start.time_s, 0.0};
   for (std::size_t i = 1; i < chain.size(); ++i) {
     const Label& label = search.labels[static_cast<std::size_t>(chain[i])];
     const Label& parent = search.labels[static_cast<std::size_t>(chain[i - 1])];
@@ -291,8 +309,15 @@ std::optional<StopPlan> StopPlanner::plan(std::span<const RouteLeg> legs, const 
     }
     const std::size_t first = search.next_leg(parent.node);
     const std::size_t past = search.next_leg(label.node);
-    out.sorties.push_back({site_of(parent.node), site_of(label.node), first, past - first, label.take_off_s, label.energy_at_take_off, label.land_s, label.energy_on_landing, label.flight});
-    pending = Recharge{site_of(label.node), std::nullopt, label.robot_arrives_s, label.time_s, label.energy, label.energy, 0.0,
+    out.sorties.push_back({site_of(parent.node), site_of(label.node), first, past - first, label.take_off_s,
+                           label.energy_at_take_off, label.land_s, label.energy_on_landing, label.flight});
+    pending = Recharge{site_of(label.node),
+                       std::nullopt,
+                       label.robot_arrives_s,
+                       label.time_s,
+                       label.energy,
+                       label.energy,
+                       0.0,
                        std::max(0.0, label.robot_arrives_s - label.land_s)};
   }
   out.end_s = search.labels[static_cast<std::size_t>(search.best)].time_s;

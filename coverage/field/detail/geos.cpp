@@ -61,7 +61,8 @@ void read_polygons(const GEOSGeometry* geometry, std::vector<Polygon>& out) {
     Polygon polygon;
     polygon.outline = read_ring(GEOSGetExteriorRing_r(context(), geometry));
     const int holes = GEOSGetNumInteriorRings_r(context(), geometry);
-    for (int i = 0; i < holes; ++i) polygon.holes.push_back(read_ring(GEOSGetInteriorRingN_r(context(), geometry, i)));
+    for (int i = 0; i < holes; ++i)
+      polygon.holes.push_back(read_ring(GEOSGetInteriorRingN_r(context(), geometry, i)));
     if (polygon.outline.size() >= 3) out.push_back(std::move(polygon));
     return;
   }
@@ -95,7 +96,8 @@ Status check_validity(const Polygon& polygon) {
   std::string where;
   double x = 0.0;
   double y = 0.0;
-  if (place != nullptr && GEOSGeomGetX_r(context(), place, &x) == 1 && GEOSGeomGetY_r(context(), place, &y) == 1) {
+  if (place != nullptr && GEOSGeomGetX_r(context(), place, &x) == 1 &&
+      GEOSGeomGetY_r(context(), place, &y) == 1) {
     where = " at (" + std::to_string(x) + ", " + std::to_string(y) + ") m";
   }
   return bad_input("The polygon is not valid: " + text + where + ".");
@@ -110,14 +112,17 @@ Clipper::~Clipper() { delete impl_; }
 
 Result<std::vector<Polygon>> Clipper::clip(const Box& box) const {
   const Geometry rectangle = make_box(box);
-  const Geometry part(impl_->geometry ? GEOSIntersection_r(context(), impl_->geometry.get(), rectangle.get()) : nullptr);
+  const Geometry part(impl_->geometry ? GEOSIntersection_r(context(), impl_->geometry.get(), rectangle.get())
+                                      : nullptr);
   if (!part) return internal_error("GEOS could not intersect the polygon with a strip.");
   std::vector<Polygon> out;
   read_polygons(part.get(), out);
   return out;
 }
 
-Result<std::vector<Polygon>> clip(const Polygon& polygon, const Box& box) { return Clipper(polygon).clip(box); }
+Result<std::vector<Polygon>> clip(const Polygon& polygon, const Box& box) {
+  return Clipper(polygon).clip(box);
+}
 
 Result<UnionArea> union_area(const Polygon& polygon, const std::vector<Ring>& patches) {
   std::vector<GEOSGeometry*> parts;

@@ -11,7 +11,8 @@ namespace swallowtail::coverage::detail {
 /// Errors (kBadInput): GEOS' reason why the polygon is not valid, and where.
 Status check_validity(const Polygon& polygon);
 
-/// The connected parts of the polygon within the box; parts of no area are left out. Errors (kInternal): GEOS failed.
+/// The connected parts of the polygon within the box; parts of no area are left out. Errors (kInternal): GEOS
+/// failed.
 Result<std::vector<Polygon>> clip(const Polygon& polygon, const Box& box);
 
 /// A polygon that is clipped many times: converted once.

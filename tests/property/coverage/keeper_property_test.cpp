@@ -20,7 +20,8 @@ double unseen_m(const std::vector<Leg>& planned, const std::vector<Vec3>& covere
     const double length = (leg.exit_m - leg.entry_m).norm();
     for (double s = 1.0; s < length - 1.0; s += 1.0) {
       const Vec3 p = leg.entry_m + (leg.exit_m - leg.entry_m) * (s / length);
-      const bool seen = std::any_of(covered.begin(), covered.end(), [&](const Vec3& c) { return (c - p).squaredNorm() < 1.2 * 1.2; });
+      const bool seen = std::any_of(covered.begin(), covered.end(),
+                                    [&](const Vec3& c) { return (c - p).squaredNorm() < 1.2 * 1.2; });
       if (!seen) out += 1.0;
     }
   }
@@ -48,12 +49,14 @@ TEST_F(KeeperProperty, InOrdinaryNoiseEverythingIsFlownOnceAboveTheReserve) {
     ASSERT_TRUE(made.ok()) << made.error().message;
     const std::vector<Leg> planned = made->plan().legs;
     const auto log = test::fly(*made, {.bias = 1.0, .noise = 0.05}, seed, kLong_s);
-    EXPECT_TRUE(log.completed) << "at " << log.time_s << " s, " << made->plan().legs_done << " of " << made->plan().legs.size() << " legs";
+    EXPECT_TRUE(log.completed) << "at " << log.time_s << " s, " << made->plan().legs_done << " of "
+                               << made->plan().legs.size() << " legs";
     EXPECT_GE(log.energy_min, made->task().battery.reserve - 1e-6);
     EXPECT_THAT(log.faults, IsEmpty());
     EXPECT_EQ(unseen_m(planned, log.covered), 0.0);
     EXPECT_LT(log.cover_flight_m, 1.05 * planned_m(planned) + 5.0);
-    for (const auto& reason : log.reasons) EXPECT_THAT(reason, testing::HasSubstr("times")) << "needless revision";
+    for (const auto& reason : log.reasons)
+      EXPECT_THAT(reason, testing::HasSubstr("times")) << "needless revision";
   }
 }
 

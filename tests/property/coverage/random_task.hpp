@@ -22,21 +22,23 @@ inline Polygon random_polygon(Rng& rng, const Vec2& centre, double radius_m) {
     const int sides = 3 + static_cast<int>(rng.below(5));
     for (int i = 0; i < sides; ++i) {
       const double angle = 2.0 * std::numbers::pi * i / sides;
-      hole.emplace_back(centre.x() + 0.2 * radius_m * std::cos(angle), centre.y() + 0.2 * radius_m * std::sin(angle));
+      hole.emplace_back(centre.x() + 0.2 * radius_m * std::cos(angle),
+                        centre.y() + 0.2 * radius_m * std::sin(angle));
     }
     out.holes.push_back(hole);
   }
   return out;
 }
 
-/// One or two fields of different heights, a battery that does for a few strips, and a robot of ordinary speed.
+/// One or two fields of different heights, a battery that does for a few strips, and a robot of ordinary
+/// speed.
 inline Task random_task(Rng& rng) {
   Task task;
   const int fields = 1 + static_cast<int>(rng.below(2));
   for (int f = 0; f < fields; ++f) {
     const Vec2 centre(250.0 * f + rng.uniform(-20.0, 20.0), rng.uniform(-50.0, 50.0));
-    task.fields.push_back({static_cast<std::uint32_t>(f + 1), "random", random_polygon(rng, centre, rng.uniform(40.0, 110.0)),
-                           rng.uniform(5.0, 40.0)});
+    task.fields.push_back({static_cast<std::uint32_t>(f + 1), "random",
+                           random_polygon(rng, centre, rng.uniform(40.0, 110.0)), rng.uniform(5.0, 40.0)});
   }
   task.sensor_width_m = rng.uniform(8.0, 20.0);
   task.battery.capacity = rng.uniform(120.0, 400.0);

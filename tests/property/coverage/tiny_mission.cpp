@@ -19,7 +19,12 @@ struct Target {
 class TinyMission {
  public:
   TinyMission(PlanKeeper& keeper, const MissionWeather& weather, std::uint64_t seed)
-      : keeper_(keeper), weather_(weather), rng_(seed), task_(keeper.task()), position_(task_.start_m), robot_(task_.charger.start_m),
+      : keeper_(keeper),
+        weather_(weather),
+        rng_(seed),
+        task_(keeper.task()),
+        position_(task_.start_m),
+        robot_(task_.charger.start_m),
         energy_(task_.battery.capacity) {
     position_.z() = 0.0;
     robot_.z() = 0.0;
@@ -35,7 +40,10 @@ class TinyMission {
   }
 
  private:
-  bool over() const { return !flying_ && !docked_ && legs_done_ == keeper_.plan().legs.size() && has_flown_ && keeper_.complete() && rest_s_ > 3.0; }
+  bool over() const {
+    return !flying_ && !docked_ && legs_done_ == keeper_.plan().legs.size() && has_flown_ &&
+           keeper_.complete() && rest_s_ > 3.0;
+  }
 
   void remember() { prefix_ = keeper_.plan().legs; }
   void news(bool changed) {
@@ -43,13 +51,16 @@ class TinyMission {
     ++log_.revisions;
     log_.reasons.push_back(keeper_.plan().reason);
     for (std::size_t i = 0; i < legs_done_; ++i) {
-      if (i >= keeper_.plan().legs.size() || keeper_.plan().legs[i].exit_m != prefix_[i].exit_m) log_.faults.push_back("flown leg " + std::to_string(i) + " changed");
+      if (i >= keeper_.plan().legs.size() || keeper_.plan().legs[i].exit_m != prefix_[i].exit_m)
+        log_.faults.push_back("flown leg " + std::to_string(i) + " changed");
     }
     remember();
     if (flying_) plan_route();
   }
 
-  void go(const Vec3& to, std::size_t leg, bool cover, bool ends, double stop = 0.0) { route_.push_back({to, leg, cover, ends, stop}); }
+  void go(const Vec3& to, std::size_t leg, bool cover, bool ends, double stop = 0.0) {
+    route_.push_back({to, leg, cover, ends, stop});
+  }
   void land_below(const Vec3& at, std::size_t leg) {
     go(at, leg, false, false, 1.0);
     go(Vec3(at.x(), at.y(), 0.0), leg, false, false);
@@ -68,12 +79,14 @@ class TinyMission {
     const LivePlan& plan = keeper_.plan();
     Vec3 at = position_;
     // A planned landing at an entry that was not reached yet.
-    if (from == From::kAir && flying_ && legs_done_ > 0 && !plan.rendezvous.empty() && plan.rendezvous.front().id == 2 * legs_done_ - 1 && legs_done_ < plan.legs.size()) {
+    if (from == From::kAir && flying_ && legs_done_ > 0 && !plan.rendezvous.empty() &&
+        plan.rendezvous.front().id == 2 * legs_done_ - 1 && legs_done_ < plan.legs.size()) {
       hop(at, plan.legs[legs_done_].entry_m, legs_done_);
       land_below(plan.legs[legs_done_].entry_m, legs_done_);
       return;
     }
-    if (from == From::kAir && flying_ && legs_done_ > 0 && !plan.rendezvous.empty() && plan.rendezvous.front().id == 2 * legs_done_ - 2) {
+    if (from == From::kAir && flying_ && legs_done_ > 0 && !plan.rendezvous.empty() &&
+        plan.rendezvous.front().id == 2 * legs_done_ - 2) {
       land_below(at, legs_done_ - 1);
       return;
     }
@@ -81,7 +94,8 @@ class TinyMission {
       const Leg& leg = plan.legs[i];
       const Vec3 way = leg.exit_m - leg.entry_m;
       const double s = way.norm() < 1e-9 ? 0.0 : (position_ - leg.entry_m).dot(way) / way.norm();
-      const bool on_it = i == legs_done_ && covering_ && way.norm() > 1e-9 && s > 0.0 && s < way.norm() && (position_ - leg.entry_m - way.normalized() * s).norm() < 0.3;
+      const bool on_it = i == legs_done_ && covering_ && way.norm() > 1e-9 && s > 0.0 && s < way.norm() &&
+                         (position_ - leg.entry_m - way.normalized() * s).norm() < 0.3;
       if (!on_it) hop(at, leg.entry_m, i);
       go(leg.exit_m, i, leg.kind == LegKind::kCover, true);
       at = leg.exit_m;
@@ -103,7 +117,9 @@ class TinyMission {
       Target& target = route_.front();
       const Vec3 way = target.at - position_;
       const bool vertical = way.head<2>().norm() < 1e-6;
-      const double speed = vertical ? (way.z() > 0.0 ? task_.vehicle.climb_speed_mps : task_.vehicle.descent_speed_mps) : task_.vehicle.cruise_speed_mps;
+      const double speed =
+          vertical ? (way.z() > 0.0 ? task_.vehicle.climb_speed_mps : task_.vehicle.descent_speed_mps)
+                   : task_.vehicle.cruise_speed_mps;
       const double needs = way.norm() / speed;
       if (needs > left) {
         position_ += way * (left / needs);
@@ -162,7 +178,8 @@ class TinyMission {
     }
     if (meetings.empty()) return;
     drive(meetings.front().site_m);
-    const bool meet = !flying_ && has_flown_ && (robot_ - meetings.front().site_m).head<2>().norm() < 0.5 && (position_ - robot_).head<2>().norm() < 1.0;
+    const bool meet = !flying_ && has_flown_ && (robot_ - meetings.front().site_m).head<2>().norm() < 0.5 &&
+                      (position_ - robot_).head<2>().norm() < 1.0;
     if (!meet) return;
     docked_ = true;
     meeting_ = meetings.front();
@@ -226,7 +243,11 @@ class TinyMission {
     view.leg_index = leg_;
     view.legs_done = legs_done_;
     const bool low = position_.z() < 1.0 || forced_;
-    view.mode = docked_ ? AircraftMode::kDocked : (!flying_ ? AircraftMode::kLanded : (velocity_.z() < -0.1 && velocity_.head<2>().norm() < 0.1 ? AircraftMode::kLanding : (low ? AircraftMode::kTakingOff : AircraftMode::kFlying)));
+    view.mode = docked_ ? AircraftMode::kDocked
+                        : (!flying_ ? AircraftMode::kLanded
+                                    : (velocity_.z() < -0.1 && velocity_.head<2>().norm() < 0.1
+                                           ? AircraftMode::kLanding
+                                           : (low ? AircraftMode::kTakingOff : AircraftMode::kFlying)));
     news(keeper_.on_vehicle(view));
     if (ticks_ % 10 == 0 && !forced_) news(keeper_.on_battery({time_, energy_}));
     if (ticks_ % 5 == 0) news(keeper_.on_robot({time_, robot_, docked_, false}));
@@ -262,6 +283,8 @@ class TinyMission {
 
 }  // namespace
 
-MissionLog fly(PlanKeeper& keeper, const MissionWeather& weather, std::uint64_t seed, double most_s) { return TinyMission(keeper, weather, seed).run(most_s); }
+MissionLog fly(PlanKeeper& keeper, const MissionWeather& weather, std::uint64_t seed, double most_s) {
+  return TinyMission(keeper, weather, seed).run(most_s);
+}
 
 }  // namespace swallowtail::coverage::test

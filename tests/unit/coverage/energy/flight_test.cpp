@@ -13,7 +13,8 @@ const planner::Terrain kFlat = planner::Terrain::flat(0.0);
 const planner::VehicleLimits kLimits;
 
 TEST(Flight, PhasesCostWhatTheModelSays) {
-  const FlightModel model(kLimits, {.level_per_s = 2.0, .climb_per_s = 5.0, .descent_per_s = 0.5, .hover_per_s = 3.0}, kFlat);
+  const FlightModel model(
+      kLimits, {.level_per_s = 2.0, .climb_per_s = 5.0, .descent_per_s = 0.5, .hover_per_s = 3.0}, kFlat);
   EXPECT_DOUBLE_EQ(model.level(80.0).time_s, 10.0);
   EXPECT_DOUBLE_EQ(model.level(80.0).energy, 20.0);
   EXPECT_DOUBLE_EQ(model.vertical(30.0).energy, 50.0);
@@ -39,20 +40,27 @@ TEST(Flight, PredictionsAgreeWithTimeRoute) {
     Rng rng(seed);
     const double z1 = rng.uniform(10.0, 40.0);
     const double z2 = seed % 2 == 0 ? z1 : rng.uniform(10.0, 40.0);
-    const auto place = [&](double z) { return Vec3(rng.uniform(-100.0, 100.0), rng.uniform(-100.0, 100.0), z); };
+    const auto place = [&](double z) {
+      return Vec3(rng.uniform(-100.0, 100.0), rng.uniform(-100.0, 100.0), z);
+    };
     const Vec3 a = place(z1);
     const Vec3 b = place(z1);
     const Vec3 c = place(z2);
     const Vec3 d = place(z2);
-    const std::vector<planner::RoutePoint> route = {
-        {a, planner::Phase::kTakeOff, 0, 0.0}, {b, planner::Phase::kCover, 0, 0.0}, {c, planner::Phase::kTransfer, 1, 0.0},
-        {d, planner::Phase::kCover, 1, 0.0},   {model.ground(d), planner::Phase::kLanding, 1, 0.0}};
+    const std::vector<planner::RoutePoint> route = {{a, planner::Phase::kTakeOff, 0, 0.0},
+                                                    {b, planner::Phase::kCover, 0, 0.0},
+                                                    {c, planner::Phase::kTransfer, 1, 0.0},
+                                                    {d, planner::Phase::kCover, 1, 0.0},
+                                                    {model.ground(d), planner::Phase::kLanding, 1, 0.0}};
     const planner::TimedPath path = planner::time_route(model.ground(a), 0.0, route, kLimits);
-    const FlightCost predicted = model.take_off(a) + model.level((b - a).norm()) + model.transfer(b, c, {b - a, d - c}) +
-                                 model.level((d - c).norm()) + model.landing(d);
+    const FlightCost predicted = model.take_off(a) + model.level((b - a).norm()) +
+                                 model.transfer(b, c, {b - a, d - c}) + model.level((d - c).norm()) +
+                                 model.landing(d);
     EXPECT_GE(predicted.time_s, path.back().time_s - 1e-6);
     // A slanted transfer is flown quicker than climb and level flight one after the other.
-    EXPECT_LE(predicted.time_s, path.back().time_s + (z1 == z2 ? 1e-6 : 2.0 + std::abs(z1 - z2) / kLimits.climb_speed_mps + 2.0));
+    EXPECT_LE(
+        predicted.time_s,
+        path.back().time_s + (z1 == z2 ? 1e-6 : 2.0 + std::abs(z1 - z2) / kLimits.climb_speed_mps + 2.0));
   }
 }
 

@@ -17,10 +17,12 @@ class GeoJson : public testing::Test {
  protected:
   void TearDown() override { std::filesystem::remove(path_); }
   std::string file(const std::string& features, const std::string& more = "") {
-    std::ofstream(path_) << R"({"type":"FeatureCollection")" << more << R"(,"features":[)" << features << "]}";
+    std::ofstream(path_) << R"({"type":"FeatureCollection")" << more << R"(,"features":[)" << features
+                         << "]}";
     return path_;
   }
-  const std::string path_ = std::filesystem::temp_directory_path() / ("swallowtail_fields_" + std::to_string(getpid()) + ".geojson");
+  const std::string path_ = std::filesystem::temp_directory_path() /
+                            ("swallowtail_fields_" + std::to_string(getpid()) + ".geojson");
 };
 
 constexpr const char* kDegrees =
@@ -41,7 +43,8 @@ TEST_F(GeoJson, DegreesAreProjectedAroundTheMiddle) {
 
 TEST_F(GeoJson, LocalMetresStayAndPartsBecomeFields) {
   const auto fields = read_fields(
-      file(R"({"type":"Feature","properties":{"id":"m","class":"orchard","crs":"local metres"},"geometry":{"type":"MultiPolygon","coordinates":[[[[0,0],[9,0],[9,9],[0,0]]],[[[20,0],[29,0],[29,9],[20,0]],[[24,1],[27,1],[27,2],[24,1]]]]}})"),
+      file(
+          R"({"type":"Feature","properties":{"id":"m","class":"orchard","crs":"local metres"},"geometry":{"type":"MultiPolygon","coordinates":[[[[0,0],[9,0],[9,9],[0,0]]],[[[20,0],[29,0],[29,9],[20,0]],[[24,1],[27,1],[27,2],[24,1]]]]}})"),
       {.class_heights_m = {{"orchard", 30.0}}});
   ASSERT_TRUE(fields.ok()) << fields.error().message;
   ASSERT_EQ(fields->fields.size(), 2U);
@@ -56,9 +59,14 @@ TEST_F(GeoJson, WhatIsNoFileOfFieldsIsRefused) {
   EXPECT_EQ(read_fields("/nowhere/fields.geojson", {}).error().code, Error::Code::kNotFound);
   std::ofstream(path_) << "not a vector file";
   EXPECT_THAT(read_fields(path_, {}).error().message, HasSubstr("not a vector file"));
-  EXPECT_THAT(read_fields(file(R"({"type":"Feature","properties":{},"geometry":{"type":"Point","coordinates":[5,52]}})"), {}).error().message,
-              HasSubstr("no polygon"));
-  EXPECT_THAT(read_fields(file(kDegrees), {.origin = planner::GeoOrigin{-30.0, 100.0, 0.0}}).error().message, HasSubstr("a"));
+  EXPECT_THAT(
+      read_fields(
+          file(R"({"type":"Feature","properties":{},"geometry":{"type":"Point","coordinates":[5,52]}})"), {})
+          .error()
+          .message,
+      HasSubstr("no polygon"));
+  EXPECT_THAT(read_fields(file(kDegrees), {.origin = planner::GeoOrigin{-30.0, 100.0, 0.0}}).error().message,
+              HasSubstr("a"));
 }
 
 TEST_F(GeoJson, FieldsFarApartHaveAFrameEachWhenAskedTo) {

@@ -13,7 +13,8 @@ using testing::HasSubstr;
 const Ring kSquare = {{0, 0}, {10, 0}, {10, 10}, {0, 10}};
 
 TEST(Polygon, RepeatedCollinearAndClosingVerticesAndSpikesAreLeftOut) {
-  const auto cleaned = clean({{{0, 0}, {5, 0}, {5, 0}, {10, 0}, {10, 10}, {14, 10}, {10, 10}, {0, 10}, {0, 0}}, {}});
+  const auto cleaned =
+      clean({{{0, 0}, {5, 0}, {5, 0}, {10, 0}, {10, 10}, {14, 10}, {10, 10}, {0, 10}, {0, 0}}, {}});
   ASSERT_TRUE(cleaned.ok()) << cleaned.error().message;
   EXPECT_EQ(cleaned->outline.size(), 4U);
   EXPECT_NEAR(area_m2(*cleaned), 100.0, 1e-9);
@@ -32,15 +33,19 @@ TEST(Polygon, RingsAreTurnedTheirWay) {
 }
 
 TEST(Polygon, WhatIsNoFieldIsRefusedByName) {
-  const auto why = [](const Polygon& polygon) { return clean(polygon).ok() ? std::string("taken") : clean(polygon).error().message; };
+  const auto why = [](const Polygon& polygon) {
+    return clean(polygon).ok() ? std::string("taken") : clean(polygon).error().message;
+  };
   EXPECT_THAT(why({{{0, 0}, {10, 10}, {10, 0}, {0, 10}}, {}}), HasSubstr("Self-intersection"));
   EXPECT_THAT(why({{{0, 0}, {10, 10}, {10, 0}, {0, 12}}, {}}), HasSubstr("Self-intersection"));
   EXPECT_THAT(why({{{0, 0}, {10, 0}}, {}}), HasSubstr("no area"));
   EXPECT_THAT(why({{{0, 0}, {5, 0}, {10, 0}}, {}}), HasSubstr("no area"));
   EXPECT_THAT(why({{}, {}}), HasSubstr("no area"));
-  EXPECT_THAT(why({{{0, 0}, {10, 0}, {10, std::numeric_limits<double>::quiet_NaN()}}, {}}), HasSubstr("finite"));
+  EXPECT_THAT(why({{{0, 0}, {10, 0}, {10, std::numeric_limits<double>::quiet_NaN()}}, {}}),
+              HasSubstr("finite"));
   EXPECT_THAT(why({kSquare, {{{20, 20}, {22, 20}, {22, 22}}}}), HasSubstr("outside"));
-  EXPECT_THAT(why({kSquare, {{{1, 1}, {9, 1}, {9, 9}, {1, 9}}, {{3, 3}, {5, 3}, {5, 5}}}}), HasSubstr("nested"));
+  EXPECT_THAT(why({kSquare, {{{1, 1}, {9, 1}, {9, 9}, {1, 9}}, {{3, 3}, {5, 3}, {5, 5}}}}),
+              HasSubstr("nested"));
 }
 
 }  // namespace

@@ -11,7 +11,9 @@
 namespace swallowtail::coverage {
 namespace {
 
-Ring rectangle(double x0, double y0, double x1, double y1) { return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}; }
+Ring rectangle(double x0, double y0, double x1, double y1) {
+  return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
+}
 
 /// Share of a fine grid of points of the field that lie within half a sensor of a line, between its ends.
 double seen_share(const Polygon& field, const Strips& strips, double width_m) {
@@ -25,10 +27,14 @@ double seen_share(const Polygon& field, const Strips& strips, double width_m) {
       const Vec2 p(x, y);
       if (!contains(field, p)) continue;
       ++inside;
-      seen += std::any_of(strips.pieces.begin(), strips.pieces.end(), [&](const Piece& piece) {
-        const double s = (p - piece.from_m).dot(along);
-        return std::abs((p - piece.from_m).dot(across)) <= width_m / 2 + 1e-6 && s >= -1e-6 && s <= (piece.to_m - piece.from_m).norm() + 1e-6;
-      }) ? 1 : 0;
+      seen += std::any_of(strips.pieces.begin(), strips.pieces.end(),
+                          [&](const Piece& piece) {
+                            const double s = (p - piece.from_m).dot(along);
+                            return std::abs((p - piece.from_m).dot(across)) <= width_m / 2 + 1e-6 &&
+                                   s >= -1e-6 && s <= (piece.to_m - piece.from_m).norm() + 1e-6;
+                          })
+                  ? 1
+                  : 0;
     }
   }
   return static_cast<double>(seen) / inside;
@@ -41,7 +47,9 @@ double over_holes_m(const Polygon& field, const Strips& strips) {
     const double length = (piece.to_m - piece.from_m).norm();
     for (double s = 0.05; s < length; s += 0.1) {
       const Vec2 p = piece.from_m + (piece.to_m - piece.from_m) * (s / length);
-      if (std::any_of(field.holes.begin(), field.holes.end(), [&](const Ring& hole) { return contains(hole, p); })) out += 0.1;
+      if (std::any_of(field.holes.begin(), field.holes.end(),
+                      [&](const Ring& hole) { return contains(hole, p); }))
+        out += 0.1;
     }
   }
   return out;
@@ -76,7 +84,8 @@ TEST(Strips, AHoleThatSpansStripsSplitsThem) {
   const Polygon field{rectangle(0, 0, 100, 30), {rectangle(40, 8, 60, 22)}};
   const auto strips = cut_strips(field, {.sensor_width_m = 10.0, .sweep_rad = 0.0});
   ASSERT_TRUE(strips.ok());
-  EXPECT_EQ(strips->pieces.size(), 4U) << "the middle strip in two, the others brush the hole without their line crossing it";
+  EXPECT_EQ(strips->pieces.size(), 4U)
+      << "the middle strip in two, the others brush the hole without their line crossing it";
   EXPECT_EQ(seen_share(field, *strips, 10.0), 1.0);
   EXPECT_EQ(over_holes_m(field, *strips), 0.0);
 }
@@ -85,14 +94,17 @@ TEST(Strips, AHoleOnTheLineThatLeavesARimGetsTheRimFlownOnItsOwn) {
   const Polygon field{rectangle(0, 0, 100, 30), {rectangle(40, 11, 60, 18)}};
   const auto strips = cut_strips(field, {.sensor_width_m = 10.0, .sweep_rad = 0.0});
   ASSERT_TRUE(strips.ok());
-  EXPECT_EQ(strips->pieces.size(), 6U) << "left and right of the hole, the rims above and below, two whole strips";
+  EXPECT_EQ(strips->pieces.size(), 6U)
+      << "left and right of the hole, the rims above and below, two whole strips";
   EXPECT_EQ(seen_share(field, *strips, 10.0), 1.0);
   EXPECT_EQ(over_holes_m(field, *strips), 0.0);
 }
 
 TEST(Strips, ARoundHoleIsPassedWithNoLineThroughIt) {
   Ring circle;
-  for (int i = 0; i < 24; ++i) circle.emplace_back(50 + 14 * std::cos(-i * std::numbers::pi / 12), 25 + 14 * std::sin(-i * std::numbers::pi / 12));
+  for (int i = 0; i < 24; ++i)
+    circle.emplace_back(50 + 14 * std::cos(-i * std::numbers::pi / 12),
+                        25 + 14 * std::sin(-i * std::numbers::pi / 12));
   const Polygon field{rectangle(0, 0, 100, 50), {circle}};
   const auto strips = cut_strips(field, {.sensor_width_m = 10.0, .sweep_rad = 0.0});
   ASSERT_TRUE(strips.ok());

@@ -10,7 +10,9 @@ namespace {
 
 using testing::HasSubstr;
 
-Field square_field(double height_m = 20.0) { return {7, "square", {{{0, 0}, {100, 0}, {100, 40}, {0, 40}}, {}}, height_m}; }
+Field square_field(double height_m = 20.0) {
+  return {7, "square", {{{0, 0}, {100, 0}, {100, 40}, {0, 40}}, {}}, height_m};
+}
 
 planner::Terrain slope(double rise) {
   planner::TerrainGrid grid;
@@ -19,7 +21,8 @@ planner::Terrain slope(double rise) {
   grid.rows = 20;
   grid.cols = 30;
   for (int r = 0; r < grid.rows; ++r) {
-    for (int c = 0; c < grid.cols; ++c) grid.elevation_m.push_back(static_cast<float>(rise * (grid.origin_m.x() + c * 5.0)));
+    for (int c = 0; c < grid.cols; ++c)
+      grid.elevation_m.push_back(static_cast<float>(rise * (grid.origin_m.x() + c * 5.0)));
   }
   return planner::Terrain::from_grid(grid).value();
 }

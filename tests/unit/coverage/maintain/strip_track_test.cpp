@@ -12,7 +12,8 @@ class Track : public testing::Test {
     leg_.exit_m = Vec3(100, 0, 20);
   }
   /// Flies on at 8 m/s with positions every 0.1 s; `off` metres sideways between two places.
-  void fly(StripTrack& track, double from, double to, double off_from = 1e9, double off_to = 1e9, double off = 2.0) {
+  void fly(StripTrack& track, double from, double to, double off_from = 1e9, double off_to = 1e9,
+           double off = 2.0) {
     for (double x = from; x <= to; x += 0.8) {
       time_ += 0.1;
       track.add(time_, Vec3(x, x > off_from && x < off_to ? off : 0.0, 20));

@@ -45,9 +45,12 @@ data::TerrainTile level_tile(float elevation_m, std::uint32_t row) {
 class CoverageParticipantTest : public testing::Test {
  protected:
   void SetUp() override {
-    ASSERT_TRUE(other_->subscribe<data::CoveragePlan>({.on_sample = [this](const data::CoveragePlan& p) { plans_.push_back(p); }}));
-    ASSERT_TRUE(other_->subscribe<data::ChargerPlan>({.on_sample = [this](const data::ChargerPlan& p) { charger_plans_.push_back(p); }}));
-    ASSERT_TRUE(other_->subscribe<data::ParticipantStatus>({.on_sample = [this](const data::ParticipantStatus& s) { status_ = s; }}));
+    ASSERT_TRUE(other_->subscribe<data::CoveragePlan>(
+        {.on_sample = [this](const data::CoveragePlan& p) { plans_.push_back(p); }}));
+    ASSERT_TRUE(other_->subscribe<data::ChargerPlan>(
+        {.on_sample = [this](const data::ChargerPlan& p) { charger_plans_.push_back(p); }}));
+    ASSERT_TRUE(other_->subscribe<data::ParticipantStatus>(
+        {.on_sample = [this](const data::ParticipantStatus& s) { status_ = s; }}));
     tasks_ = other_->publisher<data::CoverageTask>().value();
     tiles_ = other_->publisher<data::TerrainTile>().value();
     vehicles_ = other_->publisher<data::VehicleState>().value();

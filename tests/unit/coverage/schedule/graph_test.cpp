@@ -15,11 +15,13 @@ class Graph : public testing::Test {
     std::vector<SubCell> out;
     for (int i = 0; i < count; ++i) {
       const double z = 20.0 + rise_m * i;
-      out.push_back({static_cast<std::uint32_t>(i), 1, Vec3(0, apart_m * i, z), Vec3(80, apart_m * i, z), 20.0, 10.0});
+      out.push_back(
+          {static_cast<std::uint32_t>(i), 1, Vec3(0, apart_m * i, z), Vec3(80, apart_m * i, z), 20.0, 10.0});
     }
     return out;
   }
-  Result<LayeredGraph> build(const std::vector<SubCell>& cells, int neighbours, int levels, double band_m = 0.0) {
+  Result<LayeredGraph> build(const std::vector<SubCell>& cells, int neighbours, int levels,
+                             double band_m = 0.0) {
     GraphParams params;
     params.neighbours = neighbours;
     params.levels = levels;
@@ -29,7 +31,8 @@ class Graph : public testing::Test {
 
   const planner::Terrain ground_ = planner::Terrain::flat(0.0);
   LinkCache links_{FlightModel({}, {}, ground_), Charger{}};
-  ScheduleStart start_{.kind = StartKind::kGround, .position_m = Vec3::Zero(), .direction = {}, .energy = 500.0};
+  ScheduleStart start_{
+      .kind = StartKind::kGround, .position_m = Vec3::Zero(), .direction = {}, .energy = 500.0};
 };
 
 TEST_F(Graph, AClusterPerSubCellWithTwoSitesTimesLevels) {
@@ -47,7 +50,8 @@ TEST_F(Graph, ATourDecodesToEachSubCellOnce) {
   options.start_vertex = graph->start_vertex();
   const gtsp::Solution solution = gtsp::solve(graph->instance(), options);
   ASSERT_FALSE(solution.tour.empty()) << solution.reason;
-  const auto judged = gtsp::check_tour(graph->instance(), solution.tour, {.returns_to_start = false, .start = 0});
+  const auto judged =
+      gtsp::check_tour(graph->instance(), solution.tour, {.returns_to_start = false, .start = 0});
   ASSERT_TRUE(judged.ok()) << judged.error().message;
   EXPECT_NEAR(*judged, solution.cost, 1e-6);
   std::set<std::size_t> seen;

@@ -15,7 +15,8 @@ class Stops : public testing::Test {
     for (int i = 0; i < count; ++i) {
       const Vec3 left(0, 10.0 * i, 30);
       const Vec3 right(160, 10.0 * i, 30);
-      out.push_back({static_cast<std::uint32_t>(i), i % 2 == 0 ? FlownLeg{left, right} : FlownLeg{right, left}});
+      out.push_back(
+          {static_cast<std::uint32_t>(i), i % 2 == 0 ? FlownLeg{left, right} : FlownLeg{right, left}});
     }
     return out;
   }
@@ -31,7 +32,8 @@ class Stops : public testing::Test {
     return p;
   }();
   LinkCache links_{FlightModel({}, {}, ground_), params_.charger};
-  const ScheduleStart start_{.kind = StartKind::kGround, .position_m = Vec3(0, 0, 0), .direction = {}, .energy = 100.0};
+  const ScheduleStart start_{
+      .kind = StartKind::kGround, .position_m = Vec3(0, 0, 0), .direction = {}, .energy = 100.0};
 };
 
 TEST_F(Stops, WhatOneBatteryFliesNeedsNoStop) {
@@ -63,7 +65,8 @@ TEST_F(Stops, TheAircraftWaitsLandedForASlowRobot) {
   ASSERT_TRUE(plan);
   ASSERT_FALSE(plan->recharges.empty());
   EXPECT_GT(plan->recharges[0].wait_s, 500.0);
-  EXPECT_NEAR(plan->recharges[0].energy_from, plan->sorties[0].energy_on_landing, 1e-9) << "waiting on the ground costs nothing";
+  EXPECT_NEAR(plan->recharges[0].energy_from, plan->sorties[0].energy_on_landing, 1e-9)
+      << "waiting on the ground costs nothing";
 }
 
 TEST_F(Stops, ATransferBeyondTheBatteryIsDriven) {
