@@ -13,6 +13,7 @@ constexpr double kRetryEvery_s = 5.0;
 constexpr double kWorseShare =
     0.01;  ///< of the capacity: a slack that fell by less since the last solution is no news
 constexpr double kGapOverlap_m = 0.5;
+constexpr std::size_t kLastLegs = 2;
 constexpr double kLeastShare =
     0.25;  ///< of the capacity that a flight must take before consumption is learnt from it
 constexpr double kLeastShareAloft = 0.1;  ///< the same in flight, when the energy is known not to do
@@ -56,7 +57,36 @@ bool PlanKeeper::covers(std::size_t leg) const {
   const StripTrack line(plan_.legs[leg],
                         {0.5, task_.height_tolerance_m, 0.5, task_.vehicle.cruise_speed_mps});
   const double along = line.along_m(vehicle_->position_m);
-  return line.on_line(vehicle_->position_m) && along > 0.1 && along < line.length_m();
+  return line.on_line(vehicle_->position_m) && along > 0.1;
+}
+
+/// How many legs ahead the aircraft begins before a change can reach it. They must stay as they are, in their
+/// order: it flies them by the plan before, and counts them as done by their index.
+std::size_t PlanKeeper::committed_legs() const {
+  if (!vehicle_ || vehicle_->on_ground()) return 0;
+  const FlightModel flight = model();
+  std::size_t count = covers(plan_.legs_done) ? 1 : 0;
+  double time_s = 0.0;
+  Vec3 at = vehicle_->position_m;
+  std::optional<Vec3> direction;
+  if (vehicle_->velocity_mps.head<2>().norm() > 0.5) direction = vehicle_->velocity_mps;
+  if (count == 1) {
+    const Leg& current = plan_.legs[plan_.legs_done];
+    time_s = flight.level((current.exit_m - at).norm()).time_s;
+    at = current.exit_m;
+    direction = current.exit_m - current.entry_m;
+  }
+  for (std::size_t i = plan_.legs_done + count; i < plan_.legs.size(); ++i) {
+    if (i > plan_.legs_done && plan_.legs[i - 1].transfer != Transfer::kFF) break;
+    const Leg& leg = plan_.legs[i];
+    time_s += flight.transfer(at, leg.entry_m, {direction, leg.exit_m - leg.entry_m}).time_s;
+    if (time_s > params_.reaction_s) break;
+    ++count;
+    time_s += flight.level((leg.exit_m - leg.entry_m).norm()).time_s;
+    at = leg.exit_m;
+    direction = leg.exit_m - leg.entry_m;
+  }
+  return count;
 }
 
 std::optional<FlightCost> PlanKeeper::to_next_landing() const {
@@ -259,6 +289,8 @@ bool PlanKeeper::review_gaps() {
   if (gaps_.empty() || lands_at_once_ || vehicle_->mode == AircraftMode::kLanding ||
       vehicle_->mode == AircraftMode::kTakingOff)
     return false;
+  // What was in the way may still be there: gaps wait for the next recharge, or for the plan's last legs.
+  if (!plan_.rendezvous.empty() || plan_.legs_done + kLastLegs < plan_.legs.size()) return false;
   if (!may_retry()) return false;
   return solve_in_flight("a stretch was left out");
 }

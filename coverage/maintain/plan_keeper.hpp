@@ -45,7 +45,7 @@ struct KeeperParams {
   /// Grows with the mission's rate (see set_reaction).
   double reaction_s = 1.0;
   double time_tolerance_s = 15.0;  ///< times are published anew only when they are off by more
-  int gap_tries = 2;               ///< how often a stretch left out is tried again
+  int gap_tries = 4;               ///< how often a stretch left out is tried again
   double resolve_deadline_s =
       0.2;  ///< wall time of the local search, on planning.clock; without a clock only its count limits it
   std::uint64_t resolve_schedules = 400;
@@ -88,6 +88,7 @@ class PlanKeeper {
   FlightModel model() const { return {task_.vehicle, task_.battery.model, terrain_}; }
   double energy_now() const;
   bool covers(std::size_t leg) const;
+  std::size_t committed_legs() const;
   std::optional<FlightCost> to_next_landing() const;
   RestParams rest_params() const;
 
@@ -110,7 +111,7 @@ class PlanKeeper {
   void adopt(RestPlan rest, const std::string& reason);
   void note_revision(const std::string& reason);
   ScheduleStart start_in_air() const;
-  std::vector<Leg> unflown_legs();
+  std::vector<Leg> unflown_legs(std::size_t committed = 0);
   bool at_meeting(const Vec3& position_m) const;
 
   Task task_;

@@ -50,10 +50,13 @@ ScheduleStart PlanKeeper::start_in_air() const {
   return start;
 }
 
-/// What is ahead and what was left out; of a leg that was broken off only the part not yet flown.
-std::vector<Leg> PlanKeeper::unflown_legs() {
+/// What is ahead and what was left out; of a leg that was broken off only the part not yet flown. Points to
+/// fly to are left out unless they are among the committed legs.
+std::vector<Leg> PlanKeeper::unflown_legs(std::size_t committed) {
   std::vector<Leg> out(plan_.legs.begin() + static_cast<std::ptrdiff_t>(plan_.legs_done), plan_.legs.end());
-  std::erase_if(out, [](const Leg& leg) { return leg.kind == LegKind::kReposition; });
+  const auto free = out.begin() + static_cast<std::ptrdiff_t>(std::min(committed, out.size()));
+  out.erase(std::remove_if(free, out.end(), [](const Leg& leg) { return leg.kind == LegKind::kReposition; }),
+            out.end());
   const bool broken_off = track_ && tracked_leg_ == plan_.legs_done && !out.empty() &&
                           !covers(plan_.legs_done) &&
                           out.front().sub_cell_id == plan_.legs[plan_.legs_done].sub_cell_id;
@@ -107,7 +110,8 @@ void PlanKeeper::adopt(RestPlan rest, const std::string& reason) {
 bool PlanKeeper::solve_in_flight(const std::string& reason) {
   const std::size_t now = plan_.legs_done;
   const bool covering = covers(now);
-  Rest whole{unflown_legs(), covering ? std::size_t{1} : std::size_t{0}};
+  const std::size_t committed = committed_legs();
+  Rest whole{unflown_legs(committed), committed};
   if (whole.legs.empty()) return false;
   const ScheduleStart start = start_in_air();
   const RestParams params = rest_params();
@@ -128,10 +132,11 @@ bool PlanKeeper::solve_in_flight(const std::string& reason) {
       rest.entry_m = cut;
       split.legs.front().exit_m = cut;
       split.legs.insert(split.legs.begin() + 1, rest);
-    } else if (!covering) {
+      split.fixed = 1;
+    } else if (committed == 0) {
       split.legs.insert(split.legs.begin(), point_leg(ahead));
+      split.fixed = 1;
     }
-    split.fixed = 1;
     found = plan_rest(split, start, now, model(), params);
     if (!found) {
       if (covering) split.legs.front().entry_m = start.position_m;
