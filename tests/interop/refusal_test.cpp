@@ -1,5 +1,3 @@
-#include <fastcdr/Cdr.h>
-#include <fastcdr/FastBuffer.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,13 +10,9 @@
 #include "planner/base/rng.hpp"
 #include "qos/cyclone/bus.hpp"
 #include "qos/fastdds/bus.hpp"
-#include "qos/fastdds/participant.hpp"
-#include "qos/fastdds/qos.hpp"
-#include "qos/fastdds/type.hpp"
 #include "tests/contract/bus/probe.hpp"
+#include "tests/interop/raw_writer.hpp"
 #include "tests/unit/idl/samples.hpp"
-
-#include <fastdds/dds/publisher/DataWriter.hpp>
 
 // What a program that does not keep to the contract may write, and what the buses make of it. Domains 90
 // to 99.
@@ -28,80 +22,12 @@ namespace {
 using testing::Extent;
 using testing::make_sample;
 using testing::Probe;
+using testing::RawWriter;
 
 std::uint32_t next_domain() {
   static std::uint32_t last = 89;
   return ++last;
 }
-
-/// Bytes on the wire with the handle of the instance they claim to be of.
-struct Raw {
-  std::vector<unsigned char> bytes;
-  fast::KeyBytes handle{};
-};
-
-/// Writes bytes as they are.
-class RawType : public eprosima::fastdds::dds::TopicDataType {
- public:
-  explicit RawType(const TopicQos& row) {
-    setName(row.type_name);
-    m_typeSize = 256;
-    m_isGetKeyDefined = row.key_fields > 0;
-    auto_fill_type_object(false);
-    auto_fill_type_information(false);
-  }
-  bool serialize(void* data, eprosima::fastrtps::rtps::SerializedPayload_t* payload) override {
-    const auto& bytes = static_cast<Raw*>(data)->bytes;
-    std::copy(bytes.begin(), bytes.end(), payload->data);
-    payload->length = static_cast<std::uint32_t>(bytes.size());
-    payload->encapsulation = CDR_LE;
-    return true;
-  }
-  bool deserialize(eprosima::fastrtps::rtps::SerializedPayload_t*, void*) override { return false; }
-  std::function<std::uint32_t()> getSerializedSizeProvider(void* data) override {
-    return [data] { return static_cast<std::uint32_t>(static_cast<Raw*>(data)->bytes.size()); };
-  }
-  void* createData() override { return new Raw; }
-  void deleteData(void* data) override { delete static_cast<Raw*>(data); }
-  bool getKey(void* data, eprosima::fastrtps::rtps::InstanceHandle_t* handle, bool) override {
-    const auto& key = static_cast<Raw*>(data)->handle;
-    for (unsigned i = 0; i < key.size(); ++i) handle->value[i] = key[i];
-    return true;
-  }
-};
-
-/// A writer of a topic that checks nothing.
-template <class T>
-class RawWriter {
- public:
-  explicit RawWriter(std::uint32_t domain)
-      : participant_(fast::Participant::create({.domain = domain}).value()) {
-    auto* topic = participant_->topic(TopicOf<T>::qos,
-                                      eprosima::fastdds::dds::TypeSupport(new RawType(TopicOf<T>::qos)));
-    writer_ = participant_->publisher()->create_datawriter(topic, fast::writer_qos(TopicOf<T>::qos, 10));
-  }
-
-  void write(const T& sample) {
-    typename fast::WireOf<T>::Wire wire;
-    codec::fast::to_wire(sample, wire);
-    Raw raw;
-    raw.bytes.resize(std::remove_reference_t<decltype(wire)>::getCdrSerializedSize(wire) + 4);
-    eprosima::fastcdr::FastBuffer buffer(reinterpret_cast<char*>(raw.bytes.data()), raw.bytes.size());
-    eprosima::fastcdr::Cdr cdr(buffer, eprosima::fastcdr::Cdr::DEFAULT_ENDIAN,
-                               eprosima::fastcdr::Cdr::DDS_CDR);
-    cdr.serialize_encapsulation();
-    wire.serialize(cdr);
-    write(std::move(raw.bytes), TopicOf<T>::key(sample));
-  }
-  void write(std::vector<unsigned char> bytes, const InstanceKey& key) {
-    Raw raw{std::move(bytes), fast::handle_of(key)};
-    EXPECT_TRUE(writer_->write(&raw));
-  }
-
- private:
-  std::unique_ptr<fast::Participant> participant_;
-  eprosima::fastdds::dds::DataWriter* writer_ = nullptr;
-};
 
 std::uint64_t count_of(const Bus& bus, const std::string& topic, const std::string& reason) {
   for (const auto& row : bus.statistics().rejected) {
@@ -126,8 +52,8 @@ void expect_refusals(std::unique_ptr<Bus> bus, std::uint32_t domain, const T& va
   Probe<T> probe;
   ASSERT_TRUE(bus->subscribe<T>(probe.handlers()).ok());
   RawWriter<T> writer(domain);
-  for (const auto& [sample, reason] : invalid) writer.write(sample);
-  writer.write(valid);
+  for (const auto& [sample, reason] : invalid) EXPECT_TRUE(writer.write(sample));
+  EXPECT_TRUE(writer.write(valid));
   ASSERT_TRUE(probe.wait_for_samples(1));
   EXPECT_TRUE(probe.samples().front() == valid);
   const auto& name = TopicOf<T>::qos.name;
@@ -190,11 +116,11 @@ TEST_P(Refusals, RandomBytesNeitherCrashNorBlockTheReader) {
     for (auto& byte : bytes) byte = static_cast<unsigned char>(rng());
     bytes[0] = bytes[2] = bytes[3] = 0;
     bytes[1] = 1;
-    writer.write(std::move(bytes), {1000 + i, 0, 0});
+    EXPECT_TRUE(writer.write(std::move(bytes), {1000 + i, 0, 0}));
   }
   auto valid = make_sample<data::Obstacle>(Extent::kEmpty, 1);
   valid.obstacle_id = 1;
-  writer.write(valid);
+  EXPECT_TRUE(writer.write(valid));
   EXPECT_TRUE(probe.wait([&](const auto& samples, const auto&) {
     return std::find(samples.begin(), samples.end(), valid) != samples.end();
   })) << "seed 20240607";
