@@ -108,6 +108,14 @@ void Aircraft::pass_waypoints(Flight& flight, double until_s) {
   note_covered(flight, motion_.time_s, until_s);
   for (; flight.passed < flight.path.size() && flight.path[flight.passed].time_s <= until_s;
        ++flight.passed) {
+    const planner::TimedWaypoint& corner = flight.path[flight.passed];
+    if (corner.time_s > motion_.time_s) {
+      Motion at = motion_;
+      at.time_s = corner.time_s;
+      at.position_m = corner.position_m;
+      at.mode = mode_of(corner.phase);
+      corners_.push_back(at);
+    }
     if (!ends_leg(flight, flight.passed)) continue;
     motion_.legs_done = std::max(motion_.legs_done, flight.path[flight.passed].leg_index + 1);
   }
@@ -117,6 +125,7 @@ const Motion& Aircraft::advance(double to_s) {
   if (!(to_s >= motion_.time_s)) return motion_;
   const double duration_s = to_s - motion_.time_s;
   covered_.clear();
+  corners_.clear();
   while (!next_.empty() && next_.front().path.front().time_s <= to_s) {
     if (flight_) pass_waypoints(*flight_, next_.front().path.front().time_s);
     flight_ = std::move(next_.front());
@@ -163,15 +172,15 @@ void Aircraft::rest(double duration_s) {
   const bool was_docked = motion_.mode == VehicleMode::kDocked;
   motion_.velocity_mps = Vec3::Zero();
   motion_.docked_charger_id = 0;
+  const bool offered = charger_ && charger_->docked_vehicle_id == vehicle_id_;
+  if (was_docked && offered) return ride(duration_s);
   const double ground_m = terrain_.height_at(motion_.position_m.x(), motion_.position_m.y());
   if (motion_.position_m.z() > ground_m + kTouchDown_m) {
     motion_.mode = VehicleMode::kHolding;
     return;
   }
   motion_.mode = VehicleMode::kLanded;
-  const bool offered = charger_ && charger_->docked_vehicle_id == vehicle_id_;
-  if (!offered) return;
-  if (was_docked || (to_vec(charger_->position) - motion_.position_m).norm() <= kDockReach_m)
+  if (offered && (to_vec(charger_->position) - motion_.position_m).head<2>().norm() <= kDockReach_m)
     ride(duration_s);
 }
 
@@ -179,13 +188,17 @@ void Aircraft::ride(double duration_s) {
   motion_.mode = VehicleMode::kDocked;
   motion_.docked_charger_id = charger_->charger_id;
   if (!(duration_s > 0.0)) return;
-  const Vec3 gap_m = to_vec(charger_->position) - motion_.position_m;
+  // The robot drives on the ground; its own height is only as good as the two ends of its way.
+  Vec3 robot_m = to_vec(charger_->position);
+  robot_m.z() = terrain_.height_at(robot_m.x(), robot_m.y());
+  const Vec3 gap_m = robot_m - motion_.position_m;
   const double reach_m = std::max(charger_->speed_mps, gap_m.norm() / kRideLag_s) * duration_s;
   if (gap_m.norm() <= reach_m) {
     motion_.position_m += gap_m;
   } else {
     motion_.position_m += gap_m * (reach_m / gap_m.norm());
     motion_.velocity_mps = gap_m * (reach_m / gap_m.norm() / duration_s);
+    motion_.position_m.z() = terrain_.height_at(motion_.position_m.x(), motion_.position_m.y());
   }
 }
 

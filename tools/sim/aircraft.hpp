@@ -67,6 +67,8 @@ class Aircraft {
   const Motion& advance(double to_s);
 
   const Motion& motion() const { return motion_; }
+  /// The waypoints that the last `advance` flew through: between them the flight is straight.
+  const std::vector<Motion>& corners() const { return corners_; }
   /// What the last `advance` flew in phase cover, cut at waypoints.
   const std::vector<Stretch>& covered() const { return covered_; }
   /// Units per second from the charger's plug, 0 when not docked.
@@ -97,6 +99,7 @@ class Aircraft {
   const planner::Terrain terrain_;
   Motion motion_;
   std::vector<Stretch> covered_;
+  std::vector<Motion> corners_;
   std::optional<Flight> flight_;
   std::deque<Flight> next_;  ///< accepted, not begun; in order of their begin
   std::optional<std::uint32_t> last_offered_;

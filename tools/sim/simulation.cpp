@@ -77,7 +77,12 @@ Changes Simulation::step() {
 
 void Simulation::observe(const Motion& before) {
   const Motion& now = aircraft_.motion();
-  safety_.observe(before, now);
+  Motion from = before;
+  for (const Motion& corner : aircraft_.corners()) {
+    safety_.observe(from, corner);
+    from = corner;
+  }
+  safety_.observe(from, now);
   if (!now.on_ground()) {
     tally_.flown_s += kStep_s;
     charged_here_ = false;

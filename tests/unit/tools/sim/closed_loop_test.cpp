@@ -4,6 +4,9 @@
 
 #include <nlohmann/json.hpp>
 #include <string>
+#include <tuple>
+#include <variant>
+#include <vector>
 
 #include "charger/participant/charger_participant.hpp"
 #include "coverage/participant/coverage_participant.hpp"
@@ -16,10 +19,24 @@ namespace swallowtail::sim {
 namespace {
 
 constexpr double kTick_s = 0.005;
-constexpr double kRate = 20.0;
 constexpr double kLongest_s = 4000.0;  // mission time; the missions take about a third of it
 
-nlohmann::json fly(const std::string& file) {
+struct Flight {
+  nlohmann::json end;
+  double reserve = 0.0;
+};
+
+std::vector<charger::Delay> delays_of(const planner::Scenario& scenario) {
+  std::vector<charger::Delay> delays;
+  for (const auto& event : scenario.events) {
+    if (const auto* delay = std::get_if<planner::ChargerDelay>(&event.what)) {
+      delays.push_back({event.at_s, delay->delay_s});
+    }
+  }
+  return delays;
+}
+
+Flight fly(const std::string& file, std::uint64_t seed, double rate) {
   const auto scenario =
       planner::read_scenario(std::string(SWALLOWTAIL_SOURCE_DIR) + "/tests/data/missions/" + file);
   EXPECT_TRUE(scenario.ok()) << scenario.errors().text();
@@ -29,12 +46,15 @@ nlohmann::json fly(const std::string& file) {
   const auto charger_bus = network.make_bus();
   const auto coverage_bus = network.make_bus();
   const auto planner_bus = network.make_bus();
-  const auto charger = charger::ChargerParticipant::make(*charger_bus, clock, {.charger_id = 1}).value();
+  const auto charger = charger::ChargerParticipant::make(*charger_bus, clock,
+                                                         {.charger_id = 1, .delays = delays_of(*scenario)})
+                           .value();
   const auto coverage = coverage::CoverageParticipant::make(*coverage_bus, clock, {}).value();
   const auto planner = planner::PlannerParticipant::make(*planner_bus, clock, {}).value();
-  const auto sim = SimParticipant::make(*sim_bus, clock, *scenario,
-                                        {.rate = kRate, .await = {1, 2, 3}, .max_time_s = kLongest_s})
-                       .value();
+  const auto sim =
+      SimParticipant::make(*sim_bus, clock, *scenario,
+                           {.rate = rate, .await = {1, 2, 3}, .max_time_s = kLongest_s, .seed = seed})
+          .value();
   for (bool more = true; more;) {
     clock.advance(kTick_s);
     const auto stepped = sim->step();
@@ -45,20 +65,34 @@ nlohmann::json fly(const std::string& file) {
     EXPECT_TRUE(planner->step());
     EXPECT_TRUE(planner->beat());
   }
-  return nlohmann::json::parse(sim->summary());
+  return {nlohmann::json::parse(sim->summary()), scenario->coverage->battery.reserve};
 }
 
-TEST(ClosedLoop, TwoHeightsIsFlownWholeAndSafely) {
-  const nlohmann::json end = fly("two_heights.yaml");
-  SCOPED_TRACE(end.dump());
-  EXPECT_EQ(end["status"], "completed");
-  EXPECT_EQ(end["violations"], 0);
-  EXPECT_EQ(end["collisions"], 0);
-  EXPECT_EQ(end["legs_done"], end["legs_total"]);
-  EXPECT_GE(end["covered_percent"].get<double>(), 98.0);
-  EXPECT_GE(end["recharges"].get<int>(), 1);
-  EXPECT_GT(end["energy_min"].get<double>(), 0.0);
+class ClosedLoop : public ::testing::TestWithParam<std::tuple<const char*, double>> {};
+
+/// The same mission under other weather, noise and orders of search. What holds for one seed must hold for
+/// all.
+TEST_P(ClosedLoop, IsFlownWholeAndSafely) {
+  const auto [file, rate] = GetParam();
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    const Flight flight = fly(file, seed, rate);
+    const auto& end = flight.end;
+    SCOPED_TRACE("seed " + std::to_string(seed) + ": " + end.dump());
+    EXPECT_EQ(end["status"], "completed");
+    EXPECT_EQ(end["violations"], 0);
+    EXPECT_EQ(end["collisions"], 0);
+    EXPECT_EQ(end["legs_done"], end["legs_total"]);
+    EXPECT_GE(end["covered_percent"].get<double>(), 99.5);
+    EXPECT_GE(end["recharges"].get<int>(), 1);
+    EXPECT_GE(end["energy_min"].get<double>(), flight.reserve);
+  }
 }
+
+INSTANTIATE_TEST_SUITE_P(Missions, ClosedLoop,
+                         ::testing::Combine(::testing::Values("two_heights.yaml",
+                                                              "hills_moving_obstacle.yaml",
+                                                              "battery_fault_late_robot.yaml"),
+                                            ::testing::Values(5.0, 20.0)));
 
 }  // namespace
 }  // namespace swallowtail::sim
