@@ -238,9 +238,11 @@ void draw_legend(Svg& svg, const View& view) {
     x += 40.0 + 6.6 * static_cast<double>(std::string(words).size());
   }
   const double bar_m = std::pow(10.0, std::floor(std::log10((view.east - view.west) / 4)));
-  svg.line(kWidth - kPad - bar_m * view.scale(), y - 4, kWidth - kPad, y - 4,
+  const double bar_y = 12;
+  svg.line(kWidth - kPad - bar_m * view.scale(), bar_y, kWidth - kPad, bar_y,
            "stroke=\"#1b2733\" stroke-width=\"3\"");
-  svg.text(kWidth - kPad - bar_m * view.scale() - 6, y, number(bar_m, 0) + " m", "text-anchor=\"end\"");
+  svg.text(kWidth - kPad - bar_m * view.scale() - 6, bar_y + 4, number(bar_m, 0) + " m",
+           "text-anchor=\"end\"");
 }
 
 }  // namespace
