@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "qos/options.hpp"
 #include "tools/cli/input.hpp"
 #include "tools/cli/output.hpp"
 #include "tools/mission/commands/commands.hpp"
@@ -81,7 +82,7 @@ void add_mission(CLI::App& app, Exit& exit) {
   command->add_option("--report", arguments->report,
                       "Write a self-contained page (.html), its pictures as SVG files beside it");
   command->add_option("--domain", arguments->domain, "DDS domain")
-      ->check(CLI::Range(0, 101))
+      ->check(CLI::Range(0, static_cast<int>(kMaxDomain)))
       ->capture_default_str();
   command
       ->add_option("--max-time", arguments->max_time_s,

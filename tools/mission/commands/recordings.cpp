@@ -21,7 +21,7 @@ struct Judged {
 Result<Judged> judge(planner::Scenario scenario, const std::string& recording) {
   auto rules = check::rules_of(scenario);
   if (!rules) return rules.error();
-  auto log = mission::load_flight_log(recording, scenario.vehicle.id);
+  auto log = mission::load_flight_log(recording, scenario);
   if (!log) return log.error();
   Judged judged{std::move(scenario), std::move(rules).value(), std::move(log).value(), {}};
   judged.summary = mission::summarize(judged.rules, judged.log, "recorded");

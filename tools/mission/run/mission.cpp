@@ -85,7 +85,7 @@ Result<Summary> fly_mission(const planner::Scenario& scenario, const MissionOpti
     std::fprintf(stderr, "mission: swallowtail-%s did not stop when asked and was killed\n", name.c_str());
   if (!status) return status.error();
 
-  const auto log = load_flight_log(options.fleet.recording_file, scenario.vehicle.id);
+  const auto log = load_flight_log(options.fleet.recording_file, scenario);
   if (!log) return log.error();
   Summary summary = summarize(*rules, *log, *status);
   summary.recording = options.fleet.recording_file;

@@ -79,6 +79,7 @@ Process::Process(Process&& other) noexcept
       out_fd_(std::exchange(other.out_fd_, -1)),
       err_fd_(std::exchange(other.err_fd_, -1)),
       exit_code_(other.exit_code_),
+      asked_(other.asked_),
       out_(std::move(other.out_)),
       errors_(std::move(other.errors_)) {}
 
@@ -120,8 +121,9 @@ std::optional<int> Process::poll() {
   return exit_code_;
 }
 
-void Process::ask_to_stop() const {
-  if (pid_ > 0 && !exit_code_) ::kill(pid_, SIGINT);
+void Process::ask_to_stop() {
+  if (pid_ > 0 && !exit_code_ && !asked_) ::kill(pid_, SIGINT);
+  asked_ = true;
 }
 
 int Process::stop(double patience_s) {

@@ -33,8 +33,9 @@ class Process {
   /// Exit code once it has ended (128 + n for signal n); never waits.
   std::optional<int> poll();
 
-  /// Asks it to stop (SIGINT) without waiting.
-  void ask_to_stop() const;
+  /// Asks it to stop (SIGINT) without waiting. It is asked once: participants take a second request as an
+  /// order to leave at once, with shared memory and open files as they are.
+  void ask_to_stop();
 
   /// Asks it to stop and waits up to `patience_s`, then kills it. Returns the exit code.
   int stop(double patience_s);
@@ -48,6 +49,7 @@ class Process {
   int out_fd_ = -1;
   int err_fd_ = -1;
   std::optional<int> exit_code_;
+  bool asked_ = false;
   std::string out_;
   std::string errors_;
 };
