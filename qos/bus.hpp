@@ -11,13 +11,15 @@
 #include "idl/data/types.hpp"
 #include "planner/base/result.hpp"
 
-/// The port through which participants see the wire. Three forms exist: qos/fastdds, qos/cyclone and qos/memory (for tests); one contract suite runs on all of them.
+/// The port through which participants see the wire. Three forms exist: qos/fastdds, qos/cyclone and
+/// qos/memory (for tests); one contract suite runs on all of them.
 namespace swallowtail {
 
 /// The integer key fields of an instance in IDL order, unused ones 0.
 using InstanceKey = std::array<std::uint32_t, 3>;
 
-/// Handlers run on the receiving thread of the middleware and must only copy: hand the work to your own thread.
+/// Handlers run on the receiving thread of the middleware and must only copy: hand the work to your own
+/// thread.
 template <class T>
 struct Handlers {
   std::function<void(const T&)> on_sample;            ///< decoded and validated
@@ -48,7 +50,8 @@ class Endpoint {
 
  private:
   friend class Bus;
-  virtual Result<std::unique_ptr<Publisher<T>>> make_publisher(const T* type, const PublisherOptions& options) = 0;
+  virtual Result<std::unique_ptr<Publisher<T>>> make_publisher(const T* type,
+                                                               const PublisherOptions& options) = 0;
   virtual Status make_subscription(const T* type, Handlers<T> handlers) = 0;
 };
 
@@ -60,7 +63,8 @@ struct BusStatistics {
   std::uint64_t incompatible_qos = 0;
 };
 
-/// One DDS participant. QoS of every endpoint comes from the table in qos/topics.hpp. Publishers must not outlive it; subscriptions live as long as it does, and no handler runs after its destructor.
+/// One DDS participant. QoS of every endpoint comes from the table in qos/topics.hpp. Publishers must not
+/// outlive it; subscriptions live as long as it does, and no handler runs after its destructor.
 class Bus : public Endpoint<data::TerrainTile>,
             public Endpoint<data::Obstacle>,
             public Endpoint<data::VehicleState>,
@@ -86,7 +90,8 @@ class Bus : public Endpoint<data::TerrainTile>,
 
   virtual BusStatistics statistics() const = 0;
 
-  /// Counts a sample that is well formed but must not be acted on (an unknown vehicle, a battery above the task's capacity). `reason` is a string literal.
+  /// Counts a sample that is well formed but must not be acted on (an unknown vehicle, a battery above the
+  /// task's capacity). `reason` is a string literal.
   virtual void count_rejection(std::string_view topic, std::string_view reason) = 0;
 };
 

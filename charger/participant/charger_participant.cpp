@@ -105,11 +105,10 @@ void ChargerParticipant::take_views() {
 Status ChargerParticipant::publish(const State& state) {
   const data::ChargerState next = to_data(state, options_.charger_id, inbox_->vehicle_id.load());
   const double wall_s = clock_.now_s();
-  const bool changed = !published_ || next.activity != published_->activity ||
-                       next.charge_rate != published_->charge_rate ||
-                       next.docked_vehicle_id != published_->docked_vehicle_id ||
-                       next.plan_revision != published_->plan_revision ||
-                       next.rendezvous_id != published_->rendezvous_id;
+  const bool changed =
+      !published_ || next.activity != published_->activity || next.charge_rate != published_->charge_rate ||
+      next.docked_vehicle_id != published_->docked_vehicle_id ||
+      next.plan_revision != published_->plan_revision || next.rendezvous_id != published_->rendezvous_id;
   if (changed) {
     due_.put_off(wall_s);
   } else if (!due_(wall_s)) {

@@ -4,8 +4,9 @@
 #include <string>
 #include <vector>
 
-/// The data contract as plain values: what the IDL says, without any vendor. Meaning, frames and units of each field stand in idl/*.idl and are not repeated here.
-/// The codecs (idl/codec) turn wire samples into these and back; `validate` (validate.hpp) is what every sample passes on the way in.
+/// The data contract as plain values: what the IDL says, without any vendor. Meaning, frames and units of
+/// each field stand in idl/*.idl and are not repeated here. The codecs (idl/codec) turn wire samples into
+/// these and back; `validate` (validate.hpp) is what every sample passes on the way in.
 namespace swallowtail::data {
 
 inline constexpr std::uint32_t kMaxTileCells = 15000;
@@ -97,7 +98,15 @@ struct Obstacle {
   bool operator==(const Obstacle&) const = default;
 };
 
-enum class VehicleMode : std::uint8_t { kLanded, kTakingOff, kTransfer, kCovering, kHolding, kLanding, kDocked };
+enum class VehicleMode : std::uint8_t {
+  kLanded,
+  kTakingOff,
+  kTransfer,
+  kCovering,
+  kHolding,
+  kLanding,
+  kDocked
+};
 
 struct VehicleState {
   std::uint32_t vehicle_id = 0;
@@ -313,7 +322,15 @@ struct PathPlan {
   bool operator==(const PathPlan&) const = default;
 };
 
-enum class ChargerActivity : std::uint8_t { kIdle, kDriving, kWaiting, kCharging, kCarrying, kReady, kDelayed };
+enum class ChargerActivity : std::uint8_t {
+  kIdle,
+  kDriving,
+  kWaiting,
+  kCharging,
+  kCarrying,
+  kReady,
+  kDelayed
+};
 
 struct ChargerState {
   std::uint32_t charger_id = 0;

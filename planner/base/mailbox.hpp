@@ -1,14 +1,15 @@
 #pragma once
 
-#include <condition_variable>
 #include <chrono>
+#include <condition_variable>
 #include <mutex>
 #include <optional>
 #include <utility>
 
 namespace swallowtail {
 
-/// Hands the newest value from a listener to a worker: a newer value replaces one not yet taken. The lock is held for a move only.
+/// Hands the newest value from a listener to a worker: a newer value replaces one not yet taken. The lock is
+/// held for a move only.
 template <class T>
 class Mailbox {
  public:

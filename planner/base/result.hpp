@@ -20,12 +20,15 @@ inline Error not_found(std::string message) { return {Error::Code::kNotFound, st
 inline Error infeasible(std::string message) { return {Error::Code::kInfeasible, std::move(message)}; }
 inline Error internal_error(std::string message) { return {Error::Code::kInternal, std::move(message)}; }
 
-/// A value or an Error. There is no empty state; reading the side that is not there is a bug (std::bad_variant_access).
+/// A value or an Error. There is no empty state; reading the side that is not there is a bug
+/// (std::bad_variant_access).
 template <class T>
 class [[nodiscard]] Result {
  public:
-  Result(T value) : state_(std::in_place_index<0>, std::move(value)) {}        // NOLINT(google-explicit-constructor)
-  Result(Error error) : state_(std::in_place_index<1>, std::move(error)) {}    // NOLINT(google-explicit-constructor)
+  Result(T value)
+      : state_(std::in_place_index<0>, std::move(value)) {}  // NOLINT(google-explicit-constructor)
+  Result(Error error)
+      : state_(std::in_place_index<1>, std::move(error)) {}  // NOLINT(google-explicit-constructor)
 
   bool ok() const { return state_.index() == 0; }
   explicit operator bool() const { return ok(); }

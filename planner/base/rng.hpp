@@ -5,8 +5,9 @@
 
 namespace swallowtail {
 
-/// The only source of randomness: xoshiro256** seeded through splitmix64 [BLACKMAN-VIGNA]. The same seed gives the
-/// same numbers on every platform; the standard library's distributions do not, so the few needed stand here.
+/// The only source of randomness: xoshiro256** seeded through splitmix64 [BLACKMAN-VIGNA]. The same seed
+/// gives the same numbers on every platform; the standard library's distributions do not, so the few needed
+/// stand here.
 class Rng {
  public:
   using result_type = std::uint64_t;
@@ -25,7 +26,8 @@ class Rng {
   std::uint64_t below(std::uint64_t n);
   /// Standard normal (Marsaglia's polar method).
   double normal();
-  /// An independent generator for the stream `index`: what thread or candidate `index` draws does not depend on the others.
+  /// An independent generator for the stream `index`: what thread or candidate `index` draws does not depend
+  /// on the others.
   Rng split(std::uint64_t index) const;
 
  private:

@@ -4,7 +4,8 @@
 
 namespace swallowtail {
 
-/// True once per period of wall time, on average to the period even when asked at odd times; calls that were missed are not made up for.
+/// True once per period of wall time, on average to the period even when asked at odd times; calls that were
+/// missed are not made up for.
 class Due {
  public:
   explicit Due(double period_s) : period_s_(period_s) {}

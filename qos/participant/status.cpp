@@ -24,7 +24,11 @@ Result<std::unique_ptr<StatusPublisher>> StatusPublisher::make(Bus& bus, const C
 
 StatusPublisher::StatusPublisher(Bus& bus, const Clock& clock, StatusOptions options,
                                  std::unique_ptr<Publisher<data::ParticipantStatus>> publisher)
-    : bus_(bus), clock_(clock), options_(std::move(options)), publisher_(std::move(publisher)), due_(options_.period_s) {}
+    : bus_(bus),
+      clock_(clock),
+      options_(std::move(options)),
+      publisher_(std::move(publisher)),
+      due_(options_.period_s) {}
 
 void StatusPublisher::set_health(data::Health health, std::string_view message) {
   const std::lock_guard lock(mutex_);

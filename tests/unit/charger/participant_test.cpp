@@ -47,7 +47,8 @@ class ChargerParticipantTest : public testing::Test {
 
   void run(double wall_s, double rate = 1.0) {
     for (double t = 0.0; t < wall_s - 1e-9; t += 0.02) {
-      ASSERT_TRUE(clocks_->publish({.time_s = mission_s_, .rate = rate, .state = data::ClockState::kRunning}));
+      ASSERT_TRUE(
+          clocks_->publish({.time_s = mission_s_, .rate = rate, .state = data::ClockState::kRunning}));
       ASSERT_TRUE(charger_->step());
       wall_.advance(0.02);
       mission_s_ += 0.02 * rate;

@@ -17,7 +17,8 @@ class StatusPublisherTest : public testing::Test {
   void SetUp() override {
     ASSERT_TRUE(other_->subscribe<data::ParticipantStatus>(
         {.on_sample = [this](const data::ParticipantStatus& status) { seen_.push_back(status); }}));
-    status_ = StatusPublisher::make(*bus_, clock_, {.participant_id = 9, .name = std::string(40, 'n')}).value();
+    status_ =
+        StatusPublisher::make(*bus_, clock_, {.participant_id = 9, .name = std::string(40, 'n')}).value();
   }
 
   ManualClock clock_;
