@@ -38,6 +38,17 @@ TEST(Process, StopsOnRequest) {
   EXPECT_EQ(process.stop(10.0), 0);
 }
 
+TEST(Process, AsksOnce) {
+  Process process =
+      shell("trap 'echo asked' INT; echo ready; i=0; while [ $i -lt 40 ]; do sleep 0.02; i=$((i+1)); done");
+  EXPECT_EQ(first_line(process), "ready");
+  process.ask_to_stop();
+  EXPECT_EQ(first_line(process), "asked");
+  process.ask_to_stop();
+  EXPECT_EQ(process.stop(10.0), 0);
+  EXPECT_TRUE(process.take_lines().empty());
+}
+
 TEST(Process, KillsWhatDoesNotStop) {
   Process process = shell("trap '' INT; echo ready; while :; do sleep 0.05; done");
   EXPECT_EQ(first_line(process), "ready");
