@@ -8,6 +8,7 @@
 #include "planner/base/checks.hpp"
 #include "planner/participant/convert.hpp"
 #include "planner/path/certifier.hpp"
+#include "planner/replan/point_to_point.hpp"
 
 namespace swallowtail::planner {
 namespace {
@@ -15,6 +16,8 @@ namespace {
 using data::VehicleMode;
 
 constexpr double kGoalHold_s = 10.0;
+/// Wall time for the search of the whole way to a goal while the mission has not begun.
+constexpr double kSearchBeforeStart_s = 0.5;
 /// Wall time between two tries to better a contingency or to find any path.
 constexpr double kRetry_s = 0.5;
 /// A path is published again after this wall time, so that the writer's deadline is kept.
@@ -235,7 +238,7 @@ RouteStart PlannerParticipant::start_of_route(double join_s) const {
   return start;
 }
 
-std::vector<RoutePoint> PlannerParticipant::route_from(const RouteStart& start, double join_s) const {
+std::vector<RoutePoint> PlannerParticipant::route_from(const RouteStart& start, double join_s) {
   const Terrain& terrain = keeper_.world_now()->terrain();
   if (!start.on_ground && !log_.empty() && join_s < log_.end_s() &&
       log_.target(join_s).phase == Phase::kLanding) {
@@ -245,7 +248,21 @@ std::vector<RoutePoint> PlannerParticipant::route_from(const RouteStart& start, 
     return route;
   }
   if (coverage_ && task_) return sortie_route(*coverage_, sortie_, start, terrain, limits_);
-  return goal_route(*goal_, start, terrain, limits_, kGoalHold_s);
+  return route_to_goal(start, join_s);
+}
+
+std::vector<RoutePoint> PlannerParticipant::route_to_goal(const RouteStart& start, double join_s) {
+  const Terrain& terrain = keeper_.world_now()->terrain();
+  const Vec3 goal_m = to_vec(goal_->position);
+  const Vec3 from_m = goal_way_start(*goal_, start, terrain, limits_);
+  const bool waits = !inbox_->time.running();
+  if (waits || log_.empty() || verdict_ == Verdict::kContingency || !way_.leads_to(goal_m)) {
+    const double search_s = waits ? kSearchBeforeStart_s : 0.5e-3 * options_.budget_ms;
+    way_.search(
+        keeper_.world_now(), limits_, from_m, join_s, goal_m, goal_->seed,
+        {.clock = &clock_, .deadline_s = clock_.now_s() + search_s, .max_evaluations = kDefaultEvaluations});
+  }
+  return goal_route(*goal_, start, terrain, limits_, way_.corners_ahead(from_m), kGoalHold_s);
 }
 
 Status PlannerParticipant::plan_from_ground(double now_s) {
@@ -257,9 +274,10 @@ Status PlannerParticipant::plan_from_ground(double now_s) {
   log_.clear();
   const double begin_s = now_s + (1 << late_) * lead_s(inbox_->time.rate(), options_.budget_ms);
   const double wall_s = clock_.now_s();
-  const StopCondition stop{.clock = &clock_, .deadline_s = wall_s + 1e-3 * options_.budget_ms};
-  const ReplanReport report = replanner_->plan(
-      keeper_.world(), {start.position_m, begin_s, Vec3::Zero(), route_from(start, begin_s)}, stop);
+  std::vector<RoutePoint> route = route_from(start, begin_s);
+  const StopCondition stop{.clock = &clock_, .deadline_s = clock_.now_s() + 1e-3 * options_.budget_ms};
+  const ReplanReport report =
+      replanner_->plan(keeper_.world(), {start.position_m, begin_s, Vec3::Zero(), std::move(route)}, stop);
   retry_wall_s_ = clock_.now_s() + kRetry_s;
   // On the ground a contingency is to stay there.
   if (report.verdict != Verdict::kCertified) {
@@ -281,7 +299,7 @@ Status PlannerParticipant::replan(double now_s) {
     std::vector<RoutePoint> route = route_from(start, join_s);
     if (route.empty()) return {};
     const Vec3 velocity = log_.empty() ? to_vec(vehicle_->velocity_mps) : log_.velocity(asked_s);
-    const StopCondition stop{.clock = &clock_, .deadline_s = wall_s + 1e-3 * options_.budget_ms};
+    const StopCondition stop{.clock = &clock_, .deadline_s = clock_.now_s() + 1e-3 * options_.budget_ms};
     report = replanner_->plan(keeper_.world(), {start.position_m, join_s, velocity, std::move(route)}, stop);
     if (report.verdict != Verdict::kNoSafePath) break;
   }

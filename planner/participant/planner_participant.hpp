@@ -13,6 +13,7 @@
 #include "planner/base/mailbox.hpp"
 #include "planner/base/result.hpp"
 #include "planner/participant/flight_log.hpp"
+#include "planner/participant/goal_way.hpp"
 #include "planner/participant/sortie.hpp"
 #include "planner/participant/world_keeper.hpp"
 #include "planner/replan/replanner.hpp"
@@ -96,7 +97,8 @@ class PlannerParticipant {
   Status act_on_ground(double now_s, bool changed);
   Status act_in_flight(double now_s, bool changed);
   RouteStart start_of_route(double join_s) const;
-  std::vector<RoutePoint> route_from(const RouteStart& start, double join_s) const;
+  std::vector<RoutePoint> route_from(const RouteStart& start, double join_s);
+  std::vector<RoutePoint> route_to_goal(const RouteStart& start, double join_s);
   Status plan_from_ground(double now_s);
   Status replan(double now_s);
   Status publish(const ReplanReport& report, double now_s, double replan_ms);
@@ -122,6 +124,7 @@ class PlannerParticipant {
 
   FlightLog log_;
   Sortie sortie_;
+  GoalWay way_;
   Verdict verdict_ = Verdict::kCertified;  ///< of the newest path
   std::optional<data::PathPlan> published_;
   std::uint32_t revision_ = 0;  ///< greatest seen or published

@@ -118,14 +118,21 @@ std::vector<RoutePoint> sortie_route(const data::CoveragePlan& plan, const Sorti
   return route.take();
 }
 
+Vec3 goal_way_start(const data::Goal& goal, const RouteStart& start, const Terrain& terrain,
+                    const VehicleLimits& limits) {
+  if (!start.on_ground) return start.position_m;
+  const double ground_m = terrain.height_at(start.position_m.x(), start.position_m.y());
+  const double height_m = std::max(goal.start.z_m, ground_m + 1.5 * limits.clearance_m());
+  return {start.position_m.x(), start.position_m.y(), height_m};
+}
+
 std::vector<RoutePoint> goal_route(const data::Goal& goal, const RouteStart& start, const Terrain& terrain,
-                                   const VehicleLimits& limits, double hold_s) {
+                                   const VehicleLimits& limits, const std::vector<Vec3>& corners,
+                                   double hold_s) {
   std::vector<RoutePoint> route;
-  if (start.on_ground) {
-    const double ground_m = terrain.height_at(start.position_m.x(), start.position_m.y());
-    const double height_m = std::max(goal.start.z_m, ground_m + 1.5 * limits.clearance_m());
-    route.push_back({Vec3(start.position_m.x(), start.position_m.y(), height_m), Phase::kTakeOff, 0, 0.0});
-  }
+  if (start.on_ground)
+    route.push_back({goal_way_start(goal, start, terrain, limits), Phase::kTakeOff, 0, 0.0});
+  for (const Vec3& corner : corners) route.push_back({corner, Phase::kTransfer, 0, 0.0});
   route.push_back({to_vec(goal.position), Phase::kTransfer, 0, 0.0});
   route.push_back({to_vec(goal.position), Phase::kHold, 0, hold_s});
   return route;

@@ -33,9 +33,14 @@ std::vector<RoutePoint> sortie_route(const data::CoveragePlan& plan, const Sorti
                                      const RouteStart& start, const Terrain& terrain,
                                      const VehicleLimits& limits);
 
-/// Take-off if on the ground, then to the goal and a hold there of `hold_s`.
+/// Where the way to the goal begins: the start, or the end of the take-off from it.
+Vec3 goal_way_start(const data::Goal& goal, const RouteStart& start, const Terrain& terrain,
+                    const VehicleLimits& limits);
+
+/// Take-off if on the ground, then round `corners` to the goal and a hold there of `hold_s`.
 std::vector<RoutePoint> goal_route(const data::Goal& goal, const RouteStart& start, const Terrain& terrain,
-                                   const VehicleLimits& limits, double hold_s);
+                                   const VehicleLimits& limits, const std::vector<Vec3>& corners,
+                                   double hold_s);
 
 inline constexpr std::uint32_t kMaxLegsPerRoute = 300;
 
