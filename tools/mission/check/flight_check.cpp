@@ -175,6 +175,15 @@ void judge_states(const FlightLog& log, const PlansByRevision& plans, Findings& 
                    s.time_s - log.states[i - 1].time_s, kLargestGap_s);
     }
     if (grounded(s)) continue;
+    if (s.path_revision ==
+        0) {  // a flight that begins in the air stands where it begins, until its first plan
+      const double moved = apart(point(s.position), point(log.states.front().position));
+      if (moved > kPlanTolerance_m) {
+        findings.add(s.time_s, "uncertified_plan", point(s.position), "plan 0", moved,
+                     "moved %.2f m without a plan, at most %.2f m", moved, kPlanTolerance_m);
+      }
+      continue;
+    }
     const auto plan = plans.find(s.path_revision);
     if (plan == plans.end()) {
       findings.add(s.time_s, "uncertified_plan", point(s.position), "plan " + std::to_string(s.path_revision),

@@ -47,6 +47,9 @@ std::string progress_line(const Progress& p) {
   char text[200];
   if (p.state == "waiting") {
     std::snprintf(text, sizeof text, "%7.1f s  waiting for participants and the first plan", p.time_s);
+  } else if (p.capacity <= 0.0) {  // a flight to a goal: no battery, no field
+    std::snprintf(text, sizeof text, "%7.1f s  replans %3d  clearance %6.1f m  %s", p.time_s, p.replans,
+                  p.clearance_m, p.mode.c_str());
   } else {
     std::snprintf(
         text, sizeof text,

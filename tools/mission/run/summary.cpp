@@ -42,6 +42,7 @@ ReplanTimes replan_times(const check::FlightLog& log) {
 Summary summarize(const check::Rules& rules, const check::FlightLog& log, const std::string& status) {
   Summary summary;
   summary.status = status;
+  summary.has_coverage = rules.has_coverage;
   summary.flight = check::check_flight(log, rules);
   std::set<std::uint32_t> paths;
   for (const auto& plan : log.plans) paths.insert(plan.revision);
@@ -59,9 +60,12 @@ Summary summarize(const check::Rules& rules, const check::FlightLog& log, const 
 std::string summary_json(const Summary& s) {
   Json violations = Json::array();
   for (const auto& finding : s.flight.violations) violations.push_back(violation_json(finding));
+  // What a flight to a goal does not have is null.
+  const auto of_coverage = [&s](auto value) { return s.has_coverage ? Json(value) : Json(); };
   const Json json = {
       {"status", s.status},
-      {"covered_percent", s.flight.covered_percent},
+      {"kind", s.has_coverage ? "coverage" : "goal"},
+      {"covered_percent", of_coverage(s.flight.covered_percent)},
       {"flight_s", s.flight.flight_s},
       {"mission_s", s.flight.mission_s},
       {"replans", s.replans},
@@ -71,7 +75,7 @@ std::string summary_json(const Summary& s) {
       {"clearance_min_m", s.flight.clearance_min_m},
       {"contingencies", s.flight.contingencies},
       {"recharges", s.flight.recharges},
-      {"energy_min", s.flight.energy_min},
+      {"energy_min", of_coverage(s.flight.energy_min)},
       {"violations", violations},
       {"recording", s.recording},
       {"report", s.report},
@@ -81,25 +85,31 @@ std::string summary_json(const Summary& s) {
 }
 
 std::string summary_text(const planner::Scenario& scenario, const Summary& s) {
-  char text[1600];
-  std::snprintf(text, sizeof text,
-                "\nmission    %s: %s\n"
-                "covered    %.2f %% of the fields at the required height\n"
-                "flight     %.0f s in the air of %.0f s mission time, flown in %.1f s\n"
-                "replans    %d path plans, median %.1f ms, 99 %% %.1f ms, longest %.1f ms; %d coverage "
-                "plans; %d contingencies\n"
-                "clearance  %.2f m at least\n"
-                "battery    never below %.1f; %d recharges\n"
-                "checked    %zu recorded states: %zu violations\n",
-                scenario.name.c_str(), s.status.c_str(), s.flight.covered_percent, s.flight.flight_s,
-                s.flight.mission_s, s.wall_s, s.replans, s.replan.p50_ms, s.replan.p99_ms, s.replan.max_ms,
-                s.coverage_revisions, s.flight.contingencies, s.flight.clearance_min_m, s.flight.energy_min,
-                s.flight.recharges, s.flight.states, s.flight.violations.size());
-  std::string all = text;
-  for (const auto& v : s.flight.violations) {
-    std::snprintf(text, sizeof text, "  %8.1f s  %s by %s: %s\n", v.time_s, v.kind.c_str(), v.by.c_str(),
-                  v.detail.c_str());
+  std::string all;
+  char text[400];
+  const auto line = [&](const char* format, auto... values) {
+    std::snprintf(text, sizeof text, format, values...);
     all += text;
+  };
+  line("\nmission    %s: %s\n", scenario.name.c_str(), s.status.c_str());
+  if (s.has_coverage) {
+    line("covered    %.2f %% of the fields at the required height\n", s.flight.covered_percent);
+  } else if (scenario.goal_m) {
+    const Vec3& goal = *scenario.goal_m;
+    line("goal       (%.1f, %.1f, %.1f) m\n", goal.x(), goal.y(), goal.z());
+  }
+  line("flight     %.0f s in the air of %.0f s mission time, flown in %.1f s\n", s.flight.flight_s,
+       s.flight.mission_s, s.wall_s);
+  line("replans    %d path plans, median %.1f ms, 99 %% %.1f ms, longest %.1f ms; ", s.replans,
+       s.replan.p50_ms, s.replan.p99_ms, s.replan.max_ms);
+  if (s.has_coverage) line("%d coverage plans; ", s.coverage_revisions);
+  line("%d contingencies\n", s.flight.contingencies);
+  line("clearance  %.2f m at least\n", s.flight.clearance_min_m);
+  if (s.has_coverage)
+    line("battery    never below %.1f; %d recharges\n", s.flight.energy_min, s.flight.recharges);
+  line("checked    %zu recorded states: %zu violations\n", s.flight.states, s.flight.violations.size());
+  for (const auto& v : s.flight.violations) {
+    line("  %8.1f s  %s by %s: %s\n", v.time_s, v.kind.c_str(), v.by.c_str(), v.detail.c_str());
   }
   all += "recording  " + s.recording + "\n";
   if (!s.report.empty()) all += "report     " + s.report + "\n";

@@ -17,7 +17,8 @@ struct ReplanTimes {
 
 /// How a mission went, as read from its recording.
 struct Summary {
-  std::string status;  ///< "completed", or why not
+  std::string status;        ///< "completed", or why not
+  bool has_coverage = true;  ///< else the mission was one flight to a goal, without battery and fields
   check::FlightReport flight;
   int replans = 0;  ///< path plans published
   int coverage_revisions = 0;

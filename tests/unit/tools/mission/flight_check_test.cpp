@@ -133,6 +133,20 @@ TEST(FlightCheck, FindsFlightWithoutAPublishedPlan) {
   EXPECT_TRUE(finds(m, "uncertified_plan"));
 }
 
+TEST(FlightCheck, LetsAFlightBeginInTheAirButNotMoveWithoutAPlan) {
+  Mission m = clean_mission();
+  data::VehicleState waits = m.log.states.front();
+  waits.mode = data::VehicleMode::kHolding;
+  waits.path_revision = 0;
+  waits.time_s = 0.9;
+  waits.position.z_m += 5.0;
+  m.log.states = {waits, waits};
+  m.log.states[1].time_s = 1.0;
+  EXPECT_FALSE(finds(m, "uncertified_plan"));
+  m.log.states[1].position.x_m += 0.5;
+  EXPECT_TRUE(finds(m, "uncertified_plan"));
+}
+
 TEST(FlightCheck, FindsBrokenLimits) {
   Mission m = clean_mission();
   m.rules.vehicle.cruise_speed_mps = 7.0;
