@@ -174,8 +174,11 @@ bool leads_into(const data::Leg& leg, const check::Solid& solid, double needed) 
   return false;
 }
 
-bool is_in_the_way(const check::Rules& rules, const check::Solid& solid,
-                   const recording::Recording& recording) {
+/// A moving obstacle counts as it was announced, on its way until it is gone: nobody knew that it would turn.
+bool is_in_the_way(const check::Rules& rules, check::Solid solid, const recording::Recording& recording) {
+  for (const auto& stretch : rules.solids) {
+    if (stretch.id == solid.id) solid.vanishes_s = std::max(solid.vanishes_s, stretch.vanishes_s);
+  }
   const double needed = needed_m(rules, solid);
   for (const auto& path : recording.path_plans) {
     if (leads_into(path.value, solid, needed)) return true;
