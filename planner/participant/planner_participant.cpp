@@ -17,7 +17,7 @@ using data::VehicleMode;
 
 constexpr double kGoalHold_s = 10.0;
 /// Wall time for the search of the whole way to a goal while the mission has not begun.
-constexpr double kSearchBeforeStart_s = 0.5;
+constexpr double kSearchBeforeStart_s = 0.9;
 /// Wall time between two tries to better a contingency or to find any path.
 constexpr double kRetry_s = 0.5;
 /// A path is published again after this wall time, so that the writer's deadline is kept.
