@@ -63,6 +63,10 @@ Status ChargerParticipant::subscribe() {
   return bus_.subscribe<data::BatteryState>(
       {.on_sample = [inbox, bus, is_stranger](const data::BatteryState& state) {
         if (is_stranger(state.vehicle_id)) return bus->count_rejection("BatteryState", "unknown vehicle");
+        // A battery does not grow: what tells of another capacity is not our aircraft's.
+        double known = 0.0;
+        if (!inbox->capacity.compare_exchange_strong(known, state.capacity) && state.capacity != known)
+          return bus->count_rejection("BatteryState", "another capacity");
         inbox->battery.put(state);
       }});
 }
@@ -70,7 +74,7 @@ Status ChargerParticipant::subscribe() {
 void ChargerParticipant::take_plan(double time_s) {
   if (const auto plan = inbox_->plan.take()) {
     orders_ = to_orders(*plan);
-    inbox_->vehicle_id.store(plan->vehicle_id);
+    if (inbox_->vehicle_id.exchange(plan->vehicle_id) != plan->vehicle_id) inbox_->capacity.store(0.0);
     Status accepted;
     if (charging_) {
       accepted = charging_->set_orders(orders_);

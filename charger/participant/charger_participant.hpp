@@ -49,6 +49,7 @@ class ChargerParticipant {
     Mailbox<data::VehicleState> vehicle;
     Mailbox<data::BatteryState> battery;
     std::atomic<std::uint32_t> vehicle_id{0};  ///< of the plan; 0: not known yet
+    std::atomic<double> capacity{0.0};         ///< of its battery; 0: not known yet
   };
 
   Status connect();

@@ -88,8 +88,12 @@ Status PlannerParticipant::subscribe_mission() {
     inbox->note_change(wall->now_s());
   }});
   if (!done) return done;
-  done = bus_.subscribe<data::ChargerState>(
-      {.on_sample = [inbox](const data::ChargerState& charger) { inbox->charger.put(charger); }});
+  done = bus_.subscribe<data::ChargerState>({.on_sample = [inbox, bus](const data::ChargerState& charger) {
+    const std::uint32_t known = inbox->charger_id.load();
+    if (known != 0 && charger.charger_id != known)
+      return bus->count_rejection("ChargerState", "unknown charger");
+    inbox->charger.put(charger);
+  }});
   if (!done) return done;
   return bus_.subscribe<data::PathPlan>({.on_sample = [inbox, ours](const data::PathPlan& plan) {
     if (plan.vehicle_id == ours) inbox->path.put(plan);

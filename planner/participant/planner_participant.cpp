@@ -106,6 +106,7 @@ void PlannerParticipant::take_mission() {
     if (!task_ || *task_ != *task) {
       use_limits(task->vehicle, task->seed);
       keeper_.set_has_terrain(task->has_terrain);
+      inbox_->charger_id.store(task->charger.charger_id);
       mission_changed_ = true;
     }
     task_ = std::move(task);

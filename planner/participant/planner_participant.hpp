@@ -69,6 +69,7 @@ class PlannerParticipant {
     Mailbox<data::CoveragePlan> coverage;
     Mailbox<data::Goal> goal;
     Mailbox<data::ChargerState> charger;
+    std::atomic<std::uint32_t> charger_id{0};  ///< of the task; 0: not known yet
     Mailbox<data::PathPlan> path;
     std::mutex mutex;
     std::vector<Change> changes;  ///< guarded by mutex, in order

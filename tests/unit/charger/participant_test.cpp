@@ -129,6 +129,15 @@ TEST_F(ChargerParticipantTest, CountsStrangers) {
   EXPECT_EQ(rejections("unknown vehicle"), 2U);
 }
 
+TEST_F(ChargerParticipantTest, RefusesABatteryOfAnotherCapacity) {
+  ASSERT_TRUE(plans_->publish(plan_to({90, 0, 0})));
+  run(0.1);
+  ASSERT_TRUE(batteries_->publish({.vehicle_id = 5, .energy = 40, .capacity = 100}));
+  ASSERT_TRUE(batteries_->publish({.vehicle_id = 5, .energy = 600, .capacity = 1200}));
+  run(0.1);
+  EXPECT_EQ(rejections("another capacity"), 1u);
+}
+
 TEST_F(ChargerParticipantTest, RefusesOrdersThatItCannotFollow) {
   ASSERT_TRUE(plans_->publish(plan_to({90, 0, 0})));
   run(0.1);
