@@ -58,6 +58,8 @@ Exit fly(const MissionArguments& arguments) {
   options.fleet = {arguments.scenario, recording.path(),      arguments.rate,
                    arguments.domain,   arguments.common.seed, arguments.max_time_s};
   options.report_file = arguments.report;
+  if (options.report_file.empty() && recording.asked())
+    options.report_file = std::filesystem::path(recording.path()).replace_extension(".html").string();
   options.quiet = arguments.common.quiet;
   auto summary = mission::fly_mission(*scenario, options, interrupted());
   if (!summary) return fail(summary.error());
@@ -80,7 +82,9 @@ void add_mission(CLI::App& app, Exit& exit) {
       ->capture_default_str();
   command->add_option("--record", arguments->recording, "Keep the recording (.mcap)");
   command->add_option("--report", arguments->report,
-                      "Write a self-contained page (.html), its pictures as SVG files beside it");
+                      "Write a self-contained page (.html), its pictures as SVG files beside it; with "
+                      "--record alone it stands beside the "
+                      "recording");
   command->add_option("--domain", arguments->domain, "DDS domain")
       ->check(CLI::Range(0, static_cast<int>(kMaxDomain)))
       ->capture_default_str();
