@@ -1,7 +1,5 @@
 #pragma once
 
-#include <chrono>
-#include <condition_variable>
 #include <mutex>
 #include <optional>
 #include <utility>
@@ -14,11 +12,8 @@ template <class T>
 class Mailbox {
  public:
   void put(T value) {
-    {
-      const std::lock_guard lock(mutex_);
-      value_ = std::move(value);
-    }
-    filled_.notify_one();
+    const std::lock_guard lock(mutex_);
+    value_ = std::move(value);
   }
 
   std::optional<T> take() {
@@ -26,15 +21,8 @@ class Mailbox {
     return std::exchange(value_, std::nullopt);
   }
 
-  std::optional<T> take_within(std::chrono::nanoseconds timeout) {
-    std::unique_lock lock(mutex_);
-    filled_.wait_for(lock, timeout, [this] { return value_.has_value(); });
-    return std::exchange(value_, std::nullopt);
-  }
-
  private:
   std::mutex mutex_;
-  std::condition_variable filled_;
   std::optional<T> value_;
 };
 

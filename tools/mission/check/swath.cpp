@@ -54,13 +54,6 @@ Swath::Swath(const std::vector<FieldArea>& fields, double cell_m) : cell_m_(cell
   }
 }
 
-int Swath::field_at(const P2& p) const {
-  const double c = std::floor((p.x - origin_.x) / cell_m_);
-  const double r = std::floor((p.y - origin_.y) / cell_m_);
-  if (c < 0 || r < 0 || c >= static_cast<double>(cols_) || r >= static_cast<double>(rows_)) return -1;
-  return owner_[static_cast<std::size_t>(r) * cols_ + static_cast<std::size_t>(c)];
-}
-
 void Swath::sweep(const P2& a, const P2& b, double width_m, std::size_t field) {
   const double length = std::hypot(b.x - a.x, b.y - a.y);
   if (rows_ == 0 || length < 1e-9) return;

@@ -18,9 +18,6 @@ class Swath {
   /// whose centre lies in the rectangle around a–b.
   void sweep(const P2& a, const P2& b, double width_m, std::size_t field);
 
-  /// Index of the field that holds the point, or −1.
-  int field_at(const P2& p) const;
-
   double covered_percent() const;
 
  private:
