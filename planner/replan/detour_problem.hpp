@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "planner/replan/obstacle_field.hpp"
+#include "planner/kernels/obstacle_field.hpp"
 #include "planner/swarm/problem.hpp"
 
 namespace swallowtail::planner {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "planner/base/stop.hpp"
-#include "planner/replan/obstacle_field.hpp"
+#include "planner/kernels/obstacle_field.hpp"
 #include "planner/replan/replanner.hpp"
 #include "planner/replan/timed_route.hpp"
 

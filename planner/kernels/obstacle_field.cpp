@@ -1,4 +1,4 @@
-#include "planner/replan/obstacle_field.hpp"
+#include "planner/kernels/obstacle_field.hpp"
 
 #include <algorithm>
 #include <array>
