@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "tests/golden/program.hpp"
+#include "tests/golden/run.hpp"
 
 namespace swallowtail {
 namespace {
@@ -34,7 +34,7 @@ std::vector<json> expectations() {
   return json::parse(stream).get<std::vector<json>>();
 }
 
-class Golden : public testing::TestWithParam<json> {};
+class Golden : public ::testing::TestWithParam<json> {};
 
 TEST_P(Golden, PrintsWhatIsExpected) {
   const json& expected = GetParam();
@@ -57,8 +57,8 @@ TEST_P(Golden, PrintsWhatIsExpected) {
   for (const json& key : expected["keys"]) EXPECT_TRUE(actual.contains(key.get<std::string>())) << key;
 }
 
-INSTANTIATE_TEST_SUITE_P(Commands, Golden, testing::ValuesIn(expectations()),
-                         [](const testing::TestParamInfo<json>& test_case) {
+INSTANTIATE_TEST_SUITE_P(Commands, Golden, ::testing::ValuesIn(expectations()),
+                         [](const ::testing::TestParamInfo<json>& test_case) {
                            return test_case.param["name"].get<std::string>();
                          });
 

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "planner/base/rng.hpp"
-#include "tests/golden/program.hpp"
+#include "tests/golden/run.hpp"
 
 namespace swallowtail {
 namespace {
@@ -35,13 +35,13 @@ void write_large_instance(const std::string& path) {
 TEST(Interrupt, TheBestTourSoFarIsWrittenWithExitCode3) {
   const test::ScratchFolder folder;
   write_large_instance(folder.file("large.gtsp"));
-  test::Program program(
-      {"gtsp", folder.file("large.gtsp"), "--mode", "slow", "--time-limit", "120", "--json"});
-  ASSERT_TRUE(program.wait_for_error_output("gtsp: 3 s")) << "progress is told from the third second on";
+  testing::Program program(test::swallowtail(
+      {"gtsp", folder.file("large.gtsp"), "--mode", "slow", "--time-limit", "120", "--json"}));
+  ASSERT_TRUE(program.wait_for_err("gtsp: 3 s", test::kLongestRun))
+      << "progress is told from the third second on";
   program.send(SIGINT);
-  const test::Outcome outcome = program.finish();
-  EXPECT_EQ(outcome.exit_code, 3) << outcome.err;
-  const json answer = json::parse(outcome.out, nullptr, false);
+  EXPECT_EQ(program.finish(test::kLongestRun), 3) << program.err();
+  const json answer = json::parse(program.out(), nullptr, false);
   ASSERT_FALSE(answer.is_discarded());
   EXPECT_EQ(answer["status"], "interrupted");
   EXPECT_EQ(answer["tour"].size(), 200u);

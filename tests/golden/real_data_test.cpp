@@ -11,7 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "planner/world/raster_file.hpp"
-#include "tests/golden/program.hpp"
+#include "tests/golden/run.hpp"
 
 namespace swallowtail {
 namespace {
@@ -109,7 +109,7 @@ struct FieldsCase {
 
 void PrintTo(const FieldsCase& fields, std::ostream* out) { *out << fields.file; }
 
-class RealFields : public testing::TestWithParam<FieldsCase> {};
+class RealFields : public ::testing::TestWithParam<FieldsCase> {};
 
 TEST_P(RealFields, AreCoveredOrRefusedWithAReason) {
   const fs::path file = data_folder() / "fields" / GetParam().file;
@@ -134,7 +134,7 @@ TEST_P(RealFields, AreCoveredOrRefusedWithAReason) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Files, RealFields,
-                         testing::Values(FieldsCase{"nl.geojson", {"--sensor-width", "20"}, 100},
+                         ::testing::Values(FieldsCase{"nl.geojson", {"--sensor-width", "20"}, 100},
                                          FieldsCase{"jecam.geojson", {"--sensor-width", "20"}, 100},
                                          FieldsCase{"fields2cover.geojson", {"--sensor-width", "20"}, 3},
                                          FieldsCase{"holes_alenex24.local.geojson",

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/mission/program.hpp"
+#include "tests/support/program.hpp"
 
 namespace swallowtail::testing {
 
