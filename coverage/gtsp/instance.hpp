@@ -81,6 +81,11 @@ class Instance {
   bool is_complete() const { return kind_ == Kind::kPoints; }
   bool is_sparse() const { return kind_ == Kind::kArcs; }
 
+  /// As the metric's distance wants them (radians on a sphere); empty unless given as points.
+  std::span<const Point> points() const { return points_; }
+  /// Of the points.
+  Metric metric() const { return metric_; }
+
  private:
   enum class Kind { kArcs, kMatrix, kPoints };
 

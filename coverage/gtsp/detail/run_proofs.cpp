@@ -1,0 +1,85 @@
+#include <algorithm>
+#include <cmath>
+
+#include "coverage/gtsp/detail/exact.hpp"
+#include "coverage/gtsp/detail/pruning.hpp"
+#include "coverage/gtsp/detail/run.hpp"
+
+namespace swallowtail::gtsp::detail {
+namespace {
+
+Pruning all_alive(const Instance& instance, const Anchor& anchor) {
+  Pruning all;
+  for (int v = 0; v < instance.vertex_count(); ++v) {
+    all.is_alive.push_back(anchor.fixed_cluster[static_cast<std::size_t>(instance.cluster_of(v))] == 0 ? 1
+                                                                                                       : 0);
+  }
+  all.is_alive.push_back(anchor.is_used ? 1 : 0);
+  return all;
+}
+
+}  // namespace
+
+/// Tours in which nothing is left to choose.
+bool Run::finish_trivial() {
+  if (std::isinf(anchor_.inner_cost)) {
+    finish_infeasible("Between the fixed vertices of the tour an arc is missing.");
+    return true;
+  }
+  const auto is_all_fixed =
+      std::find(anchor_.fixed_cluster.begin(), anchor_.fixed_cluster.end(), 0) == anchor_.fixed_cluster.end();
+  if (!is_all_fixed && (anchor_.is_used || instance_.cluster_count() > 1)) return false;
+  if (is_all_fixed && std::isinf(anchor_.self_cost)) {
+    finish_infeasible("All vertices are fixed and the arc from the last fixed to the next is missing.");
+    return true;
+  }
+  const std::vector<int> rest =
+      is_all_fixed ? std::vector<int>{} : std::vector<int>{instance_.cluster(0).front()};
+  finish({expanded(anchor_, rest), anchor_.inner_cost + anchor_.self_cost}, SolveStatus::kOptimal,
+         "There is only one tour to consider.");
+  return true;
+}
+
+std::string Run::cluster_name(int reduced_cluster) const {
+  const int v = reduced_->original(reduced_->first(reduced_cluster));
+  return v == instance_.vertex_count() ? "the fixed part"
+                                       : "cluster " + std::to_string(instance_.cluster_of(v));
+}
+
+/// What degrees, reachability and the bound prove.
+bool Run::finish_unreachable() {
+  const Pruning pruning = instance_.is_complete() ? all_alive(instance_, anchor_) : prune(instance_, anchor_);
+  if (pruning.emptied_cluster >= 0) {
+    finish_infeasible("Cluster " + std::to_string(pruning.emptied_cluster) +
+                      " has no vertex that arcs lead to and from within any tour.");
+    return true;
+  }
+  if (pruning.is_anchor_dead) {
+    finish_infeasible("No arcs lead from or to the fixed part of the tour.");
+    return true;
+  }
+  reduced_.emplace(instance_, anchor_, pruning);
+  const Bound bound = lower_bound(*reduced_);
+  if (std::isinf(bound.value)) {
+    finish_infeasible("Among the clusters with " + cluster_name(bound.starved_cluster) +
+                      ", more have to be left than arcs lead to: not each can have a successor of its own.");
+    return true;
+  }
+  solution_.lower_bound = anchor_.inner_cost + bound.value;
+  rounding_ = bound.rounding + (bound.rounding > 0.0 ? 2e-10 * anchor_.inner_cost : 0.0);
+  return false;
+}
+
+bool Run::finish_exact() {
+  const ExactAnswer answer = solve_exactly(instance_, anchor_, *reduced_, effort_.exact_work, options_.stop);
+  if (answer.kind == ExactAnswer::Kind::kNoTour) {
+    finish_infeasible("All orders of the clusters were considered: each needs a missing arc.");
+    return true;
+  }
+  if (answer.kind != ExactAnswer::Kind::kSolved) return false;
+  finish(found_from(instance_, anchor_, *reduced_, answer.order, options_.kind), SolveStatus::kOptimal,
+         "Dynamic programming over all subsets of clusters.");
+  return true;
+}
+
+}  // namespace swallowtail::gtsp::detail
