@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "tools/mission/report/svg.hpp"
+#include "tools/drawing/svg.hpp"
 
 namespace swallowtail::report {
 

@@ -1,6 +1,6 @@
 #include "tools/mission/report/html.hpp"
 
-#include "tools/mission/report/svg.hpp"
+#include "tools/drawing/svg.hpp"
 
 namespace swallowtail::report {
 namespace {

@@ -6,7 +6,7 @@
 #include <set>
 #include <utility>
 
-#include "tools/mission/report/svg.hpp"
+#include "tools/drawing/svg.hpp"
 
 namespace swallowtail::report {
 namespace {

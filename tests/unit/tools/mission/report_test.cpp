@@ -6,7 +6,7 @@
 #include "tools/mission/report/chart.hpp"
 #include "tools/mission/report/html.hpp"
 #include "tools/mission/report/map.hpp"
-#include "tools/mission/report/svg.hpp"
+#include "tools/drawing/svg.hpp"
 
 namespace swallowtail::report {
 namespace {

@@ -1,4 +1,4 @@
-#include "tools/mission/report/svg.hpp"
+#include "tools/drawing/svg.hpp"
 
 #include <charconv>
 #include <cmath>
