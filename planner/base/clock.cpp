@@ -6,16 +6,23 @@
 #include <ctime>
 
 namespace swallowtail {
+namespace {
+
+double cpu_s(clockid_t clock) {
+  timespec t{};
+  clock_gettime(clock, &t);
+  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
+
+}  // namespace
 
 double SteadyClock::now_s() const {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-double process_cpu_s() {
-  timespec t{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
+double ThreadCpuClock::now_s() const { return cpu_s(CLOCK_THREAD_CPUTIME_ID); }
+
+double process_cpu_s() { return cpu_s(CLOCK_PROCESS_CPUTIME_ID); }
 
 double process_peak_rss_mb() {
   rusage usage{};

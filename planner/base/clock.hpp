@@ -19,6 +19,12 @@ class SteadyClock final : public Clock {
   double now_s() const override;
 };
 
+/// CPU time of the calling thread. What a deadline on it ends does not depend on who else uses the machine.
+class ThreadCpuClock final : public Clock {
+ public:
+  double now_s() const override;
+};
+
 /// A clock for tests: it stands still until moved.
 class ManualClock final : public Clock {
  public:
