@@ -87,6 +87,11 @@ void Boa::init(const Problem& problem, const Eigen::MatrixXd& guesses, Evaluator
   rank();
 }
 
+void Boa::reassess(Evaluator& evaluate) {
+  evaluate(agents_, costs_);
+  rank();
+}
+
 void Boa::step(Evaluator& evaluate, Rng& rng) {
   const auto n = static_cast<std::uint64_t>(agents_.cols());
   const double best_before = costs_[order_.front()];

@@ -36,6 +36,7 @@ class Boa {
 
   void init(const Problem& problem, const Eigen::MatrixXd& guesses, Evaluator& evaluate, Rng& rng);
   void step(Evaluator& evaluate, Rng& rng);
+  void reassess(Evaluator& evaluate);
 
  private:
   void scatter(const Problem& problem, Eigen::Index agent, Rng& rng);

@@ -55,6 +55,17 @@ struct Report {
 
 namespace detail {
 
+// What single- and multi-objective runs share.
+Status check_box(const Eigen::VectorXd& lower, const Eigen::VectorXd& upper);
+Status check_start(const StopCondition& stop, const Eigen::MatrixXd& guesses, Eigen::Index dimension,
+                   bool observed);
+struct Ending {
+  Termination termination = Termination::kBudget;
+  const char* reason = "";
+};
+Ending ending_of(const StopCondition& stop, std::uint64_t evaluations, std::uint64_t iterations);
+Ending ending_of(Advice advice);
+
 /// The loop's bookkeeping, the same for every algorithm.
 class Run {
  public:
@@ -62,15 +73,19 @@ class Run {
 
   Evaluator& evaluate() { return evaluate_; }
   Rng& rng() { return rng_; }
+  /// Before each iteration: true if costs are others from now on; the best has been evaluated anew then.
+  bool costs_change();
   /// After each iteration: true to go on.
   bool proceed();
   Report finish();
 
  private:
+  const Problem& problem_;
   const RunOptions& options_;
   Evaluator evaluate_;
   Rng rng_;
   Report report_;
+  Ending ending_;
   double started_s_ = 0.0;
   double last_best_ = 0.0;
 };
@@ -88,8 +103,12 @@ Result<Report> run(const typename A::Params& params, const Problem& problem, con
   if (Status status = validate(params); !status) return status.error();
   A algorithm(params);
   detail::Run run(problem, options);
+  run.costs_change();
   algorithm.init(problem, options.guesses, run.evaluate(), run.rng());
-  while (run.proceed()) algorithm.step(run.evaluate(), run.rng());
+  while (run.proceed()) {
+    if (run.costs_change()) algorithm.reassess(run.evaluate());
+    algorithm.step(run.evaluate(), run.rng());
+  }
   return run.finish();
 }
 

@@ -18,6 +18,8 @@ class Evaluator {
 
   /// Costs of the candidates. Those beyond the budget are not evaluated and cost +infinity.
   void operator()(Candidates candidates, Costs costs);
+  /// The costs have changed: evaluates the best anew. If the budget is used up, it keeps its cost.
+  void reassess();
 
   std::uint64_t evaluations() const { return evaluations_; }
   double best_cost() const { return best_cost_; }
@@ -29,12 +31,14 @@ class Evaluator {
   std::uint64_t evaluations_ = 0;
   double best_cost_ = std::numeric_limits<double>::infinity();
   Eigen::VectorXd best_;
+  Eigen::VectorXd best_cost_now_ = Eigen::VectorXd::Zero(1);
 };
 
 /// An algorithm is a plain type with `Params` (and a free `validate` for them), `init` and `step`. `init`
 /// takes all memory it will need and evaluates the first population, the guesses (dimension × n) among it;
-/// `step` is one iteration. Neither reads a clock, logs or stops: the driver does (driver.hpp). Every
-/// candidate lies within the problem's bounds.
+/// `step` is one iteration. `reassess` evaluates anew what the algorithm remembers, after the problem's costs
+/// have changed (Problem::begin_iteration). None of them reads a clock, logs or stops: the driver does
+/// (driver.hpp). Every candidate lies within the problem's bounds.
 template <class A>
 concept Algorithm = requires(A algorithm, const typename A::Params& params, const Problem& problem,
                              const Eigen::MatrixXd& guesses, Evaluator& evaluate, Rng& rng) {
@@ -42,6 +46,7 @@ concept Algorithm = requires(A algorithm, const typename A::Params& params, cons
   { validate(params) } -> std::same_as<Status>;
   { algorithm.init(problem, guesses, evaluate, rng) } -> std::same_as<void>;
   { algorithm.step(evaluate, rng) } -> std::same_as<void>;
+  { algorithm.reassess(evaluate) } -> std::same_as<void>;
 };
 
 }  // namespace swallowtail::swarm

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <functional>
 #include <optional>
 
@@ -28,6 +29,10 @@ struct Problem {
   /// exception; NaN counts as +infinity.
   std::function<void(Candidates, Costs)> evaluate;
   std::optional<WaypointLayout> waypoints;
+  /// For costs that depend on the iteration (Step of [BOA Eq. 16]); may be empty. The driver calls it with 0
+  /// before the first population and with 1, 2, … before each step. True: costs are others than before, and
+  /// what is remembered (the best so far, the swarm) is evaluated anew, which counts.
+  std::function<bool(std::uint64_t iteration)> begin_iteration;
 
   Eigen::Index dimension() const { return lower.size(); }
 };
