@@ -57,14 +57,13 @@ class Staircase {
   std::vector<Corner> corners_;
 };
 
-/// Volume of the first `Objectives` coordinates by sweeping over the last of them; `points` sorted by it.
-double volume_2(const std::vector<Point>& points, const Point& reference, Staircase& staircase) {
+double volume_2(const std::vector<Point>& points, Staircase& staircase) {
   staircase.clear();
   for (const Point& p : points) staircase.add(p[0], p[1]);
-  (void)reference;
   return staircase.area();
 }
 
+/// Sweeps over the third objective, by which the points are sorted.
 double volume_3(const std::vector<Point>& points, const Point& reference, Staircase& staircase) {
   staircase.clear();
   double volume = 0.0;
@@ -112,7 +111,7 @@ double volume(std::vector<Point>& points, const Point& reference, std::size_t ob
   if (points.empty()) return 0.0;
   if (objectives == 1) return reference[0] - points.front()[0];
   Staircase staircase(reference[0], reference[1]);
-  if (objectives == 2) return volume_2(points, reference, staircase);
+  if (objectives == 2) return volume_2(points, staircase);
   if (objectives == 3) return volume_3(points, reference, staircase);
   return volume_4(points, reference, staircase);
 }
