@@ -1,107 +1,144 @@
 #include "planner/kernels/obstacle_field.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
-#include <variant>
+
+#include "planner/kernels/detail/shapes.hpp"
 
 namespace swallowtail::planner {
+
+using detail::BoxShape;
+using detail::ConeShape;
+using detail::CylinderShape;
+using detail::FieldSolid;
+using detail::MeshShape;
+using detail::SolidKind;
+
 namespace {
 
 /// Kept beyond what the certifier asks for, so that its one-sided tolerance does not refuse a touching path.
 double with_reserve(double required_m) { return required_m * (1.0 + 1e-4) + 1e-5; }
 
-/// Directions spread evenly over the sphere (Fibonacci lattice) after the six axes.
-const std::array<Vec3, ObstacleField::kDirections>& directions() {
-  static const auto kTable = [] {
-    std::array<Vec3, ObstacleField::kDirections> table;
-    table[0] = Vec3::UnitX();
-    table[1] = -Vec3::UnitX();
-    table[2] = Vec3::UnitY();
-    table[3] = -Vec3::UnitY();
-    table[4] = Vec3::UnitZ();
-    table[5] = -Vec3::UnitZ();
-    const auto n = static_cast<double>(table.size() - 6);
-    for (std::size_t i = 6; i < table.size(); ++i) {
-      const double k = static_cast<double>(i - 6) + 0.5;
-      const double z = 1.0 - 2.0 * k / n;
-      const double angle = std::numbers::pi * (1.0 + std::sqrt(5.0)) * k;
-      const double r = std::sqrt(1.0 - z * z);
-      table[i] = Vec3(r * std::cos(angle), r * std::sin(angle), z);
-    }
-    return table;
-  }();
-  return kTable;
+using Real = double;
+using Mask = bool;
+inline double broadcast(double v) { return v; }
+inline double select(bool m, double a, double b) { return m ? a : b; }
+inline double largest(double a, double b) { return a > b ? a : b; }
+inline double smallest(double a, double b) { return a < b ? a : b; }
+inline double absolute(double a) { return std::abs(a); }
+inline bool any(bool m) { return m; }
+inline double root(double a) { return std::sqrt(a); }
+#include "planner/kernels/detail/signed_distance.inl"
+
+Vec3 level_over(const Vec3& p, double level, double up) {
+  const double rho = root(p.x() * p.x() + p.y() * p.y());
+  return rho > 0.0 ? Vec3(level * p.x() / rho, level * p.y() / rho, up) : Vec3(level, 0.0, up);
 }
 
-/// Without std::hypot's care for overflow, which costs ten times as much.
-double length(double a, double b) { return std::sqrt(a * a + b * b); }
-
-/// A rectangle |u| ≤ hu, |v| ≤ hv: signed distance and its gradient.
-double rectangle_distance(double u, double v, double hu, double hv, double& gu, double& gv) {
-  const double du = std::abs(u) - hu;
-  const double dv = std::abs(v) - hv;
-  gu = 0.0;
-  gv = 0.0;
-  const double su = u < 0.0 ? -1.0 : 1.0;
-  const double sv = v < 0.0 ? -1.0 : 1.0;
-  if (du > 0.0 && dv > 0.0) {
-    const double d = length(du, dv);
-    gu = su * du / d;
-    gv = sv * dv / d;
-    return d;
-  }
-  if (du > dv) {
-    gu = su;
-    return du;
-  }
-  gv = sv;
-  return dv;
-}
-
-double cylinder_distance(const Vec3& p, double radius, double height, Vec3& normal) {
-  const double r = length(p.x(), p.y());
-  double gr = 0.0;
-  double gz = 0.0;
-  const double d = rectangle_distance(r, p.z() - 0.5 * height, radius, 0.5 * height, gr, gz);
-  normal = r > 0.0 ? Vec3(gr * p.x() / r, gr * p.y() / r, gz) : Vec3(gr, 0.0, gz);
-  return d;
-}
-
-double cone_distance(const Vec3& p, double radius, double height, Vec3& normal) {
-  const double r = length(p.x(), p.y());
-  const Vec2 q(r, p.z());
-  const Vec2 base(std::min(r, radius), 0.0);
-  const Vec2 slant(-radius, height);
-  const double s = std::clamp((q - Vec2(radius, 0.0)).dot(slant) / slant.squaredNorm(), 0.0, 1.0);
-  const Vec2 side = Vec2(radius, 0.0) + s * slant;
-  const Vec2 outward = Vec2(height, radius).normalized();
-  const bool inside = p.z() >= 0.0 && outward.dot(q - Vec2(radius, 0.0)) <= 0.0;
-  const double to_base = (q - base).norm();
-  const double to_side = (q - side).norm();
-  Vec2 g = to_base < to_side ? Vec2(0.0, -1.0) : outward;
-  const double d = std::min(to_base, to_side);
-  if (!inside && d > 0.0) g = (to_base < to_side ? Vec2(q - base) : Vec2(q - side)) / d;
-  normal = r > 0.0 ? Vec3(g.x() * p.x() / r, g.x() * p.y() / r, g.y()) : Vec3(g.x(), 0.0, g.y());
-  return inside ? -d : d;
-}
-
-double box_distance(const Vec3& p, const Vec3& half, Vec3& normal) {
-  const Vec3 d = p.cwiseAbs() - half;
+Vec3 box_normal(const Vec3& p, const Vec3& half) {
+  const Vec3 over = p.cwiseAbs() - half;
   const Vec3 sign = p.unaryExpr([](double v) { return v < 0.0 ? -1.0 : 1.0; });
-  const Vec3 outside = d.cwiseMax(0.0);
-  const double far = outside.norm();
-  if (far > 0.0) {
-    normal = sign.cwiseProduct(outside) / far;
-    return far;
-  }
+  const Vec3 outside = over.cwiseMax(0.0);
+  if (const double away = outside.norm(); away > 0.0) return sign.cwiseProduct(outside) / away;
   Eigen::Index axis = 0;
-  const double depth = d.maxCoeff(&axis);
-  normal.setZero();
+  over.maxCoeff(&axis);
+  Vec3 normal = Vec3::Zero();
   normal[axis] = sign[axis];
-  return depth;
+  return normal;
+}
+
+Vec3 cylinder_normal(const Vec3& p, double radius, double height) {
+  const double rho = root(p.x() * p.x() + p.y() * p.y());
+  const Vec3 in_plane = box_normal(Vec3(rho, 0.0, p.z() - 0.5 * height), Vec3(radius, radius, 0.5 * height));
+  return level_over(p, in_plane.x(), in_plane.z());
+}
+
+/// In the half plane (ρ, z): from the apex, the rim, the side or the base, as in the kernel.
+Vec3 cone_normal(const Vec3& p, const FieldSolid& cone) {
+  const Vec2 from_rim(root(p.x() * p.x() + p.y() * p.y()) - cone.radius_m, p.z());
+  const Vec2 side(cone.height_m / cone.slant_m, cone.radius_m / cone.slant_m);
+  const double over_side = side.dot(from_rim);
+  const double up_side = side.x() * from_rim.y() - side.y() * from_rim.x();
+  Vec2 n = -p.z() > over_side ? Vec2(0.0, -1.0) : side;
+  if (over_side > 0.0 && up_side > cone.slant_m) {
+    n = Vec2(from_rim.x() + cone.radius_m, p.z() - cone.height_m).normalized();
+  } else if (p.z() < 0.0 || (over_side > 0.0 && up_side < 0.0)) {
+    n = Vec2(std::max(from_rim.x(), 0.0), p.z()).normalized();
+  }
+  return level_over(p, n.x(), n.y());
+}
+
+Vec3 mesh_normal(const Vec3& p, const double* supports) {
+  double greatest = -std::numeric_limits<double>::infinity();
+  Vec3 normal = Vec3::UnitZ();
+  for (std::size_t k = 0; k < detail::kMeshDirections; ++k) {
+    const double d = detail::mesh_directions()[k].dot(p) - supports[k];
+    if (d > greatest) {
+      greatest = d;
+      normal = detail::mesh_directions()[k];
+    }
+  }
+  return normal;
+}
+
+Nearest nearest_on_ray(const FieldSolid& solid, const Ray& ray, const double* supports, double enough_m) {
+  const double tolerance =
+      detail::kDistanceTolerance *
+      (root(ray.d.x * ray.d.x + ray.d.y * ray.d.y + ray.d.z * ray.d.z) + solid.ball_radius_m);
+  switch (solid.kind) {
+    case SolidKind::kSphere:
+      break;
+    case SolidKind::kCylinder:
+      return nearest_to(detail::cylinder_of(solid), ray, tolerance, enough_m);
+    case SolidKind::kCone:
+      return nearest_to(detail::cone_of(solid), ray, tolerance, enough_m);
+    case SolidKind::kBox:
+      return nearest_to(detail::box_of(solid), ray, tolerance, enough_m);
+    case SolidKind::kMesh:
+      return nearest_to(detail::mesh_of(solid, supports), ray, tolerance, enough_m);
+  }
+  const double square = ray.d.x * ray.d.x + ray.d.y * ray.d.y + ray.d.z * ray.d.z;
+  const double s = nearest_on(ray.p, ray.d, divide(1.0, square));
+  const RealPoint x = ray.at(s);
+  return {root(x.x * x.x + x.y * x.y + x.z * x.z) - solid.radius_m, s};
+}
+
+/// Unit normal at p in the solid's frame.
+Vec3 normal_at(const FieldSolid& solid, const Vec3& p, const double* supports) {
+  switch (solid.kind) {
+    case SolidKind::kSphere:
+      break;
+    case SolidKind::kCylinder:
+      return cylinder_normal(p, solid.radius_m, solid.height_m);
+    case SolidKind::kCone:
+      return cone_normal(p, solid);
+    case SolidKind::kBox:
+      return box_normal(p, solid.half_m);
+    case SolidKind::kMesh:
+      return mesh_normal(p, supports + solid.first_support);
+  }
+  const double away = p.norm();
+  return away > 0.0 ? Vec3(p / away) : Vec3(Vec3::UnitZ());
+}
+
+/// The flight relative to the solid, in the solid's frame, as far as the solid lasts.
+struct RelativeFlight {
+  Ray ray;
+  double share;  ///< of the flight
+};
+
+RelativeFlight relative_flight(const FieldSolid& solid, const Vec3& a, double t0_s, const Vec3& b,
+                               double t1_s) {
+  const double end_s = std::min(t1_s, std::max(t0_s, solid.valid_until_s));
+  const double share = t1_s > t0_s ? (end_s - t0_s) / (t1_s - t0_s) : 1.0;
+  const Vec3 p = a - solid.position_m - solid.velocity_mps * t0_s;
+  const Vec3 d = share * (b - a) - solid.velocity_mps * (end_s - t0_s);
+  const auto turned = [&](const Vec3& v) {
+    return RealPoint{solid.cos_yaw * v.x() + solid.sin_yaw * v.y(),
+                     solid.cos_yaw * v.y() - solid.sin_yaw * v.x(), v.z()};
+  };
+  return {{turned(p), turned(d)}, share};
 }
 
 }  // namespace
@@ -110,52 +147,14 @@ ObstacleField::ObstacleField(std::shared_ptr<const World> world, const VehicleLi
     : world_(std::move(world)), radius_m_(with_reserve(limits.clearance_m())) {
   set_slope_share(0.0);
   for (const Obstacle& obstacle : world_->obstacles()) {
-    Solid solid;
-    solid.id = obstacle.id;
-    solid.velocity_mps = obstacle.velocity_mps;
-    solid.position_m = obstacle.position_at(0.0);
-    solid.valid_until_s = obstacle.valid_until_s;
-    solid.required_m = with_reserve(limits.clearance_m() + obstacle.margin_m);
     anything_moves_ = anything_moves_ || obstacle.moves() || std::isfinite(obstacle.valid_until_s);
-    double yaw = 0.0;
-    if (const auto* sphere = std::get_if<Sphere>(&obstacle.shape)) {
-      solid.radius_m = sphere->radius_m;
-    } else if (const auto* cylinder = std::get_if<Cylinder>(&obstacle.shape)) {
-      solid.kind = Kind::kCylinder;
-      solid.radius_m = cylinder->radius_m;
-      solid.height_m = cylinder->height_m;
-    } else if (const auto* cone = std::get_if<Cone>(&obstacle.shape)) {
-      solid.kind = Kind::kCone;
-      solid.radius_m = cone->radius_m;
-      solid.height_m = cone->height_m;
-    } else if (const auto* box = std::get_if<Box>(&obstacle.shape)) {
-      solid.kind = Kind::kBox;
-      solid.half_m = 0.5 * box->size_m;
-      yaw = box->yaw_rad;
-    } else if (const auto* mesh = std::get_if<ConvexMesh>(&obstacle.shape)) {
-      solid.kind = Kind::kMesh;
-      solid.first_support = supports_.size();
-      yaw = mesh->yaw_rad;
-      for (const Vec3& direction : directions()) {
-        double support = -std::numeric_limits<double>::infinity();
-        for (const Vec3& v : mesh->vertices_m) support = std::max(support, direction.dot(v));
-        supports_.push_back(support);
-      }
-    }
-    solid.cos_yaw = std::cos(yaw);
-    solid.sin_yaw = std::sin(yaw);
-    const Extent box = extent(obstacle.shape);
-    solid.half_extent_m = 0.5 * (box.max_m - box.min_m);
-    solid.ball_offset_m = 0.5 * (box.min_m + box.max_m);
-    solid.ball_radius_m = std::min(0.5 * (box.max_m - box.min_m).norm(),
-                                   bounding_radius_m(obstacle.shape) + solid.ball_offset_m.norm());
-    if (solid.kind == Kind::kSphere) solid.ball_radius_m = solid.radius_m;
-    solids_.push_back(solid);
+    solids_.push_back(
+        detail::field_solid(obstacle, with_reserve(limits.clearance_m() + obstacle.margin_m), supports_));
   }
 }
 
 Vec3 ObstacleField::ball_center_m(std::size_t i, double time_s) const {
-  const Solid& solid = solids_[i];
+  const FieldSolid& solid = solids_[i];
   return solid.position_m + solid.velocity_mps * time_s + solid.ball_offset_m;
 }
 
@@ -163,40 +162,9 @@ double ObstacleField::half_width_m(std::size_t i, const Vec3& direction) const {
   return std::min(solids_[i].ball_radius_m, solids_[i].half_extent_m.dot(direction.cwiseAbs()));
 }
 
-double ObstacleField::mesh_distance(const Solid& solid, const Vec3& p, Vec3& normal) const {
-  double greatest = -std::numeric_limits<double>::infinity();
-  for (std::size_t k = 0; k < kDirections; ++k) {
-    const double d = directions()[k].dot(p) - supports_[solid.first_support + k];
-    if (d > greatest) {
-      greatest = d;
-      normal = directions()[k];
-    }
-  }
-  return greatest;
-}
-
-double ObstacleField::signed_distance(const Solid& solid, const Vec3& p, Vec3& normal) const {
-  switch (solid.kind) {
-    case Kind::kSphere: {
-      const double d = p.norm();
-      normal = d > 0.0 ? Vec3(p / d) : Vec3(Vec3::UnitZ());
-      return d - solid.radius_m;
-    }
-    case Kind::kCylinder:
-      return cylinder_distance(p, solid.radius_m, solid.height_m, normal);
-    case Kind::kCone:
-      return cone_distance(p, solid.radius_m, solid.height_m, normal);
-    case Kind::kBox:
-      return box_distance(p, solid.half_m, normal);
-    case Kind::kMesh:
-      break;
-  }
-  return mesh_distance(solid, p, normal);
-}
-
 bool ObstacleField::near(std::size_t i, const Vec3& a, double t0_s, const Vec3& b, double t1_s,
                          double cap_m) const {
-  const Solid& solid = solids_[i];
+  const FieldSolid& solid = solids_[i];
   if (t0_s > solid.valid_until_s) return false;
   const Vec3 p = a - (solid.position_m + solid.velocity_mps * t0_s + solid.ball_offset_m);
   const Vec3 d = b - a - solid.velocity_mps * (t1_s - t0_s);
@@ -208,54 +176,24 @@ bool ObstacleField::near(std::size_t i, const Vec3& a, double t0_s, const Vec3& 
 
 Approach ObstacleField::approach(std::size_t i, const Vec3& a, double t0_s, const Vec3& b,
                                  double t1_s) const {
-  const Solid& solid = solids_[i];
-  const double end_s = std::min(t1_s, std::max(t0_s, solid.valid_until_s));
-  const double share = t1_s > t0_s ? (end_s - t0_s) / (t1_s - t0_s) : 1.0;
-  const auto turned = [&](const Vec3& v) {
-    return Vec3(solid.cos_yaw * v.x() + solid.sin_yaw * v.y(), solid.cos_yaw * v.y() - solid.sin_yaw * v.x(),
-                v.z());
-  };
-  const Vec3 p = turned(a - solid.position_m - solid.velocity_mps * t0_s);
-  const Vec3 d = turned(share * (b - a) - solid.velocity_mps * (end_s - t0_s));
-  Approach result;
-  double s = 0.0;
-  if (solid.kind == Kind::kSphere) {
-    const double length2 = d.squaredNorm();
-    s = length2 > 0.0 ? std::clamp(-p.dot(d) / length2, 0.0, 1.0) : 0.0;
-    result.signed_distance_m = signed_distance(solid, p + s * d, result.normal);
-  } else {
-    // The signed distance to a convex solid is convex along the segment: its slope changes sign once.
-    double lo = 0.0;
-    double hi = 1.0;
-    result.signed_distance_m = std::numeric_limits<double>::infinity();
-    const auto probe = [&](double at) {
-      Vec3 normal;
-      const double distance = signed_distance(solid, p + at * d, normal);
-      if (distance < result.signed_distance_m) {
-        result.signed_distance_m = distance;
-        result.normal = normal;
-        s = at;
-      }
-      return normal.dot(d);
-    };
-    if (probe(0.0) < 0.0 && probe(1.0) > 0.0) {
-      for (int k = 0; k < kBisections; ++k) {
-        const double middle = 0.5 * (lo + hi);
-        (probe(middle) < 0.0 ? lo : hi) = middle;
-      }
-    }
-  }
-  result.fraction = s * share;
-  const Vec3 n = result.normal;
-  result.normal = Vec3(solid.cos_yaw * n.x() - solid.sin_yaw * n.y(),
-                       solid.cos_yaw * n.y() + solid.sin_yaw * n.x(), n.z());
-  return result;
+  const FieldSolid& solid = solids_[i];
+  const RelativeFlight flight = relative_flight(solid, a, t0_s, b, t1_s);
+  const Nearest nearest =
+      nearest_on_ray(solid, flight.ray, supports_.data(), std::numeric_limits<double>::infinity());
+  const RealPoint at = flight.ray.at(nearest.fraction);
+  const Vec3 n = normal_at(solid, Vec3(at.x, at.y, at.z), supports_.data());
+  return {nearest.distance, nearest.fraction * flight.share,
+          Vec3(solid.cos_yaw * n.x() - solid.sin_yaw * n.y(), solid.cos_yaw * n.y() + solid.sin_yaw * n.x(),
+               n.z())};
 }
 
 double ObstacleField::violation_m(std::size_t i, const Vec3& a, double t0_s, const Vec3& b,
                                   double t1_s) const {
   if (!near(i, a, t0_s, b, t1_s, 0.0)) return 0.0;
-  return std::max(0.0, solids_[i].required_m - approach(i, a, t0_s, b, t1_s).signed_distance_m);
+  const FieldSolid& solid = solids_[i];
+  const RelativeFlight flight = relative_flight(solid, a, t0_s, b, t1_s);
+  const Nearest nearest = nearest_on_ray(solid, flight.ray, supports_.data(), solid.required_m);
+  return std::max(0.0, solid.required_m - nearest.distance);
 }
 
 double ObstacleField::violation_m(const Vec3& a, double t0_s, const Vec3& b, double t1_s) const {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "planner/base/vec.hpp"
+#include "planner/kernels/detail/field_solid.hpp"
 #include "planner/path/path.hpp"
 #include "planner/world/world.hpp"
 
@@ -20,14 +21,14 @@ struct Approach {
 };
 
 /// A World as the optimisers' inner loop wants it: plain arrays, closed-form signed distances, no FCL and no
-/// memory taken by a query. Spheres, cylinders, cones and boxes are exact up to the bisection along a segment
-/// (kBisections halvings); a mesh stands as the intersection of the half-spaces of kDirections fixed
+/// memory taken by a query. Distances to spheres, cylinders, cones and boxes are right to 1e-9 of (flight
+/// length
+/// + bounding radius); a mesh stands as the intersection of the half-spaces of kDirections fixed
 /// directions, which holds it, so its distance is never too great. What it calls clear still goes to the
 /// certifier.
 class ObstacleField {
  public:
-  static constexpr int kBisections = 16;
-  static constexpr std::size_t kDirections = 62;
+  static constexpr std::size_t kDirections = detail::kMeshDirections;
 
   ObstacleField(std::shared_ptr<const World> world, const VehicleLimits& limits);
 
@@ -60,34 +61,16 @@ class ObstacleField {
   void set_slope_share(double share);
   double ground_clearance_m() const { return ground_clearance_m_; }
 
+  /// For the kernels.
+  const std::vector<detail::FieldSolid>& solids() const { return solids_; }
+  const std::vector<double>& supports() const { return supports_; }
+
  private:
-  enum class Kind : std::uint8_t { kSphere, kCylinder, kCone, kBox, kMesh };
-  struct Solid {
-    Kind kind = Kind::kSphere;
-    std::uint32_t id = 0;
-    Vec3 position_m = Vec3::Zero();  ///< at time 0
-    Vec3 velocity_mps = Vec3::Zero();
-    double valid_until_s = 0.0;
-    double required_m = 0.0;
-    Vec3 ball_offset_m = Vec3::Zero();
-    double ball_radius_m = 0.0;
-    Vec3 half_extent_m = Vec3::Zero();
-    double radius_m = 0.0;
-    double height_m = 0.0;
-    Vec3 half_m = Vec3::Zero();
-    double cos_yaw = 1.0;
-    double sin_yaw = 0.0;
-    std::size_t first_support = 0;
-  };
-
-  double signed_distance(const Solid& solid, const Vec3& p, Vec3& normal) const;
-  double mesh_distance(const Solid& solid, const Vec3& p, Vec3& normal) const;
-
   std::shared_ptr<const World> world_;
   double radius_m_ = 0.0;
   double ground_clearance_m_ = 0.0;
   bool anything_moves_ = false;
-  std::vector<Solid> solids_;
+  std::vector<detail::FieldSolid> solids_;
   std::vector<double> supports_;
 };
 

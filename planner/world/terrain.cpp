@@ -29,6 +29,35 @@ struct Terrain::Raster {
     return to_grid(p_m).cwiseMax(0.0).cwiseMin(Vec2(grid.cols - 1.0, grid.rows - 1.0));
   }
 
+  /// Calls stretch(segment, t0, t1) for the pieces of a–b between which it enters or leaves the raster's
+  /// column or row range: beyond, the edge is continued, and the segment runs along it.
+  template <class Stretch>
+  void for_each_stretch(const Vec3& a, const Vec3& b, Stretch&& stretch) const {
+    const Vec2 start = to_grid(a.head<2>());
+    const Vec2 step = to_grid(b.head<2>()) - start;
+    const Vec2 last(grid.cols - 1.0, grid.rows - 1.0);
+    std::array<double, 6> cuts = {0.0, 1.0, 1.0, 1.0, 1.0, 1.0};
+    std::size_t count = 1;
+    for (int axis = 0; axis < 2; ++axis) {
+      for (const double line : {0.0, last[axis]}) {
+        const double t = (line - start[axis]) / step[axis];
+        if (t > 0.0 && t < 1.0) cuts[count++] = t;
+      }
+    }
+    std::sort(cuts.begin(), cuts.end());  // those not used are 1 and stay at the end
+    for (std::size_t i = 0; i < count; ++i) {
+      const double middle = 0.5 * (cuts[i] + cuts[i + 1]);
+      detail::RasterSegment segment{start, step, a.z(), b.z() - a.z()};
+      for (int axis = 0; axis < 2; ++axis) {
+        const double at = start[axis] + step[axis] * middle;
+        if (at >= 0.0 && at <= last[axis]) continue;
+        segment.start[axis] = at < 0.0 ? 0.0 : last[axis];
+        segment.step[axis] = 0.0;
+      }
+      stretch(segment, cuts[i], cuts[i + 1]);
+    }
+  }
+
   TerrainGrid grid;
   detail::RasterPyramid pyramid;
 };
@@ -76,32 +105,26 @@ double Terrain::height_at(double x_m, double y_m) const {
 double Terrain::min_height_above(const Vec3& a, const Vec3& b) const {
   if (!is_finite(a) || !is_finite(b)) return kNan;
   if (!grid_) return std::min(a.z(), b.z()) - flat_elevation_m_;
-  const Vec2 start = grid_->to_grid(a.head<2>());
-  const Vec2 step = grid_->to_grid(b.head<2>()) - start;
-  const Vec2 last(grid_->grid.cols - 1.0, grid_->grid.rows - 1.0);
-  // Where the segment enters or leaves the raster's column or row range the continued edge begins: cut there.
-  std::array<double, 6> cuts = {0.0, 1.0, 1.0, 1.0, 1.0, 1.0};
-  std::size_t count = 1;
-  for (int axis = 0; axis < 2; ++axis) {
-    for (const double line : {0.0, last[axis]}) {
-      const double t = (line - start[axis]) / step[axis];
-      if (t > 0.0 && t < 1.0) cuts[count++] = t;
-    }
-  }
-  std::sort(cuts.begin(), cuts.end());  // those not used are 1 and stay at the end
   double best = std::min(a.z() - height_at(a.x(), a.y()), b.z() - height_at(b.x(), b.y()));
-  for (std::size_t i = 0; i < count; ++i) {
-    const double middle = 0.5 * (cuts[i] + cuts[i + 1]);
-    detail::RasterSegment segment{start, step, a.z(), b.z() - a.z()};
-    for (int axis = 0; axis < 2; ++axis) {
-      const double at = start[axis] + step[axis] * middle;
-      if (at >= 0.0 && at <= last[axis]) continue;
-      segment.start[axis] = at < 0.0 ? 0.0 : last[axis];
-      segment.step[axis] = 0.0;
-    }
-    best = grid_->pyramid.min_height_above(segment, cuts[i], cuts[i + 1], best);
-  }
+  grid_->for_each_stretch(a, b, [&](const detail::RasterSegment& segment, double t0, double t1) {
+    best = grid_->pyramid.min_height_above(segment, t0, t1, best);
+  });
   return best;
+}
+
+double Terrain::length_below(const Vec3& a, const Vec3& b) const {
+  if (!is_finite(a) || !is_finite(b)) return kNan;
+  const double length = (b - a).norm();
+  if (!grid_) {
+    const double low = std::min(a.z(), b.z()) - flat_elevation_m_;
+    const double high = std::max(a.z(), b.z()) - flat_elevation_m_;
+    return high <= 0.0 ? length : low > 0.0 ? 0.0 : length * (-low / (high - low));
+  }
+  double share = 0.0;
+  grid_->for_each_stretch(a, b, [&](const detail::RasterSegment& segment, double t0, double t1) {
+    share += grid_->pyramid.share_below(segment, t0, t1);
+  });
+  return length * share;
 }
 
 double Terrain::max_in(const Vec2& lo, const Vec2& hi) const {

@@ -46,6 +46,9 @@ class Terrain {
   /// that long segments over large rasters stay cheap.
   double min_height_above(const Vec3& a, const Vec3& b) const;
 
+  /// Length of the part of the segment that lies at or below the ground, exact to rounding [BOA Eq. 14].
+  double length_below(const Vec3& a, const Vec3& b) const;
+
   /// Greatest and least ground elevation under the axis-aligned rectangle, exact.
   double max_in(const Vec2& lo, const Vec2& hi) const;
   double min_in(const Vec2& lo, const Vec2& hi) const;

@@ -16,6 +16,35 @@ float round_up(double v) {
   return static_cast<double>(f) < v ? std::nextafter(f, std::numeric_limits<float>::infinity()) : f;
 }
 
+/// Least value for s in [0, 1].
+template <class Parabola>
+double least(const Parabola& p) {
+  double value = std::min(p.at(0.0), p.at(1.0));
+  if (p.h2 > 0.0) {
+    const double s = -p.h1 / (2.0 * p.h2);
+    if (s > 0.0 && s < 1.0) value = std::min(value, p.at(s));
+  }
+  return value;
+}
+
+/// Length of {s in [0, 1]: value ≤ 0}.
+template <class Parabola>
+double share_not_positive(const Parabola& p) {
+  const auto clipped = [](double s) { return std::clamp(s, 0.0, 1.0); };
+  if (p.h2 == 0.0) {
+    if (p.h1 == 0.0) return p.h0 <= 0.0 ? 1.0 : 0.0;
+    const double root = clipped(-p.h0 / p.h1);
+    return p.h1 > 0.0 ? root : 1.0 - root;
+  }
+  const double discriminant = p.h1 * p.h1 - 4.0 * p.h0 * p.h2;
+  if (!(discriminant > 0.0)) return p.h2 < 0.0 ? 1.0 : 0.0;
+  // The root that does not cancel, and its partner by their product.
+  const double q = -0.5 * (p.h1 + std::copysign(std::sqrt(discriminant), p.h1));
+  const double first = clipped(std::min(q / p.h2, p.h0 / q));
+  const double second = clipped(std::max(q / p.h2, p.h0 / q));
+  return p.h2 > 0.0 ? second - first : 1.0 - (second - first);
+}
+
 }  // namespace
 
 RasterPyramid::RasterPyramid(const TerrainGrid& grid) : grid_(&grid) {
@@ -82,18 +111,40 @@ double RasterPyramid::height_at(const Vec2& uv) const {
 
 double RasterPyramid::min_height_above(const RasterSegment& segment, double t0, double t1,
                                        double best) const {
-  return descend(segment, top(), 0, 0, t0, t1, best);
+  const auto skip = [&](int level, int row, int col, double from, double to) {
+    const double lowest = segment.z_m + std::min(segment.climb_m * from, segment.climb_m * to);
+    return lowest - static_cast<double>(block(level, row, col).max_m) >= best;
+  };
+  const auto leaf = [&](int row, int col, double from, double to) {
+    best = std::min(best, least(above_cell(segment, row, col, from, to)));
+  };
+  descend(segment, top(), 0, 0, t0, t1, skip, leaf);
+  return best;
 }
 
-double RasterPyramid::descend(const RasterSegment& segment, int level, int row, int col, double t0, double t1,
-                              double best) const {
-  const double lowest = segment.z_m + std::min(segment.climb_m * t0, segment.climb_m * t1);
-  if (level == 0) {
-    const Cell z = cell(row, col);
-    if (lowest - std::max({z.sw, z.se, z.nw, z.ne}) >= best) return best;
-    return std::min(best, in_cell(segment, row, col, t0, t1));
-  }
-  if (lowest - static_cast<double>(block(level, row, col).max_m) >= best) return best;
+double RasterPyramid::share_below(const RasterSegment& segment, double t0, double t1) const {
+  double share = 0.0;
+  const auto skip = [&](int level, int row, int col, double from, double to) {
+    const double z0 = segment.z_m + segment.climb_m * from;
+    const double z1 = segment.z_m + segment.climb_m * to;
+    const Block b = block(level, row, col);
+    if (std::min(z0, z1) > static_cast<double>(b.max_m)) return true;
+    if (!(std::max(z0, z1) < static_cast<double>(b.min_m))) return false;
+    share += to - from;
+    return true;
+  };
+  const auto leaf = [&](int row, int col, double from, double to) {
+    share += (to - from) * share_not_positive(above_cell(segment, row, col, from, to));
+  };
+  descend(segment, top(), 0, 0, t0, t1, skip, leaf);
+  return share;
+}
+
+template <class Skip, class Leaf>
+void RasterPyramid::descend(const RasterSegment& segment, int level, int row, int col, double t0, double t1,
+                            const Skip& skip, const Leaf& leaf) const {
+  if (skip(level, row, col, t0, t1)) return;
+  if (level == 0) return leaf(row, col, t0, t1);
   // Cut where the segment crosses the block's two middle lines; each piece lies in one quarter.
   const int half = 1 << (level - 1);
   const Vec2 middle((2 * col + 1) * static_cast<double>(half), (2 * row + 1) * static_cast<double>(half));
@@ -111,12 +162,12 @@ double RasterPyramid::descend(const RasterSegment& segment, int level, int row, 
     const Vec2 at = segment.start + segment.step * (0.5 * (cuts[i] + cuts[i + 1]));
     const int child_row = std::min(2 * row + (at.y() >= middle.y() ? 1 : 0), child_rows - 1);
     const int child_col = std::min(2 * col + (at.x() >= middle.x() ? 1 : 0), child_cols - 1);
-    best = descend(segment, level - 1, child_row, child_col, cuts[i], cuts[i + 1], best);
+    descend(segment, level - 1, child_row, child_col, cuts[i], cuts[i + 1], skip, leaf);
   }
-  return best;
 }
 
-double RasterPyramid::in_cell(const RasterSegment& segment, int row, int col, double t0, double t1) const {
+RasterPyramid::Parabola RasterPyramid::above_cell(const RasterSegment& segment, int row, int col, double t0,
+                                                  double t1) const {
   const Cell z = cell(row, col);
   const double east = z.se - z.sw;
   const double north = z.nw - z.sw;
@@ -126,19 +177,9 @@ double RasterPyramid::in_cell(const RasterSegment& segment, int row, int col, do
   const Vec2 span = segment.step * (t1 - t0);
   const double z0 = segment.z_m + segment.climb_m * t0;
   const double climb = segment.climb_m * (t1 - t0);
-  const auto height = [&](double s) {
-    const Vec2 f = from + span * s;
-    return z0 + climb * s - (z.sw + east * f.x() + north * f.y() + twist * f.x() * f.y());
-  };
-  double least = std::min(height(0.0), height(1.0));
-  const double curvature = -twist * span.x() * span.y();
-  if (curvature > 0.0) {
-    const double slope =
-        climb - (east * span.x() + north * span.y() + twist * (from.x() * span.y() + from.y() * span.x()));
-    const double s = -slope / (2.0 * curvature);
-    if (s > 0.0 && s < 1.0) least = std::min(least, height(s));
-  }
-  return least;
+  return {z0 - (z.sw + east * from.x() + north * from.y() + twist * from.x() * from.y()),
+          climb - (east * span.x() + north * span.y() + twist * (from.x() * span.y() + from.y() * span.x())),
+          -twist * span.x() * span.y()};
 }
 
 /// Calls visit_block(level, row, col, block, is_inside) from the top; it answers whether to descend. Blocks

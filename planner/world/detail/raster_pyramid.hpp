@@ -24,6 +24,8 @@ class RasterPyramid {
   double height_at(const Vec2& uv) const;
   /// The lesser of `best` and the least height above the ground for t in [t0, t1].
   double min_height_above(const RasterSegment& segment, double t0, double t1, double best) const;
+  /// Length of {t in [t0, t1]: at or below the ground}.
+  double share_below(const RasterSegment& segment, double t0, double t1) const;
   double max_in(const Vec2& lo, const Vec2& hi) const;
   double min_in(const Vec2& lo, const Vec2& hi) const;
   /// Over all cells that the closed rectangle touches.
@@ -51,9 +53,17 @@ class RasterPyramid {
   Block block(int level, int row, int col) const;
   int top() const { return static_cast<int>(levels_.size()); }
 
-  double descend(const RasterSegment& segment, int level, int row, int col, double t0, double t1,
-                 double best) const;
-  double in_cell(const RasterSegment& segment, int row, int col, double t0, double t1) const;
+  /// Height above a cell's patch at t0 + s·(t1 − t0): h0 + s·h1 + s²·h2.
+  struct Parabola {
+    double h0, h1, h2;
+    double at(double s) const { return h0 + s * (h1 + s * h2); }
+  };
+  Parabola above_cell(const RasterSegment& segment, int row, int col, double t0, double t1) const;
+  /// Goes down from a block: leaves out the pieces for which skip(level, row, col, t0, t1), calls leaf(row,
+  /// col, t0, t1) for each cell that is left, in the order in which the segment crosses them.
+  template <class Skip, class Leaf>
+  void descend(const RasterSegment& segment, int level, int row, int col, double t0, double t1,
+               const Skip& skip, const Leaf& leaf) const;
   template <class Visit>
   void visit(int level, int row, int col, const Vec2& lo, const Vec2& hi, Visit&& visit_block) const;
   double slope_of_cell(int row, int col) const;

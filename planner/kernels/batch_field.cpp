@@ -1,0 +1,52 @@
+#include "planner/kernels/batch_field.hpp"
+
+#include "planner/kernels/detail/batch_kernel.hpp"
+
+namespace swallowtail::planner {
+namespace {
+
+const detail::BatchKernel& kernel() { return detail::batch_kernels().back(); }
+
+Vec3 point(const LanePoint& p, int lane) { return {p.x[lane], p.y[lane], p.z[lane]}; }
+
+}  // namespace
+
+BatchField::BatchField(const ObstacleField& field) : field_(&field) {
+  for (std::size_t i = 0; i < field.size(); ++i)
+    (field.solids()[i].stands_for_ever() ? standing_ : timed_).push_back(i);
+}
+
+void BatchField::add_length(const LanePoint& a, const LanePoint& b, Lanes& sum_m) {
+  kernel().add_length(a, b, sum_m);
+}
+
+void BatchField::add_violation(const LanePoint& a, const LanePoint& b, Lanes& sum_m) const {
+  kernel().add_violation({field_->solids().data(), standing_, field_->supports().data()}, a, b, sum_m);
+}
+
+std::span<const LaneDistance> BatchField::distances(const LanePoint& a, const LanePoint& b, double cap_m,
+                                                    std::vector<LaneDistance>& buffer) const {
+  if (buffer.size() < standing_.size()) buffer.resize(standing_.size());
+  const std::size_t count = kernel().distances(
+      {field_->solids().data(), standing_, field_->supports().data()}, a, b, cap_m, buffer.data());
+  return std::span<const LaneDistance>(buffer).first(count);
+}
+
+Lanes BatchField::axis_distance_m(std::size_t obstacle, const LanePoint& a, const LanePoint& b) const {
+  Lanes distance_m;
+  kernel().axis_distance(field_->solids()[obstacle], a, b, distance_m);
+  return distance_m;
+}
+
+void BatchField::add_terrain_violation(const LanePoint& a, const LanePoint& b, Lanes& sum_m) const {
+  for (int lane = 0; lane < kLanes; ++lane)
+    sum_m[lane] += field_->terrain_violation_m(point(a, lane), point(b, lane));
+}
+
+void BatchField::add_length_below_ground(const LanePoint& a, const LanePoint& b, Lanes& sum_m) const {
+  const Terrain& terrain = field_->world().terrain();
+  for (int lane = 0; lane < kLanes; ++lane)
+    sum_m[lane] += terrain.length_below(point(a, lane), point(b, lane));
+}
+
+}  // namespace swallowtail::planner

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+#include "planner/kernels/batch_field.hpp"
+#include "planner/kernels/detail/field_solid.hpp"
+
+namespace swallowtail::planner::detail {
+
+/// The obstacles that a kernel runs over.
+struct SolidList {
+  const FieldSolid* solids;
+  std::span<const std::size_t> standing;
+  const double* supports;
+};
+
+/// The loops of BatchField, compiled for one kind of processor.
+struct BatchKernel {
+  const char* name;
+  void (*add_violation)(const SolidList&, const LanePoint&, const LanePoint&, Lanes& sum_m);
+  std::size_t (*distances)(const SolidList&, const LanePoint&, const LanePoint&, double cap_m, LaneDistance*);
+  void (*axis_distance)(const FieldSolid&, const LanePoint&, const LanePoint&, Lanes& out_m);
+  void (*add_length)(const LanePoint&, const LanePoint&, Lanes& sum_m);
+};
+
+/// Those that this machine can run, the widest last. All give the same bits.
+std::span<const BatchKernel> batch_kernels();
+
+}  // namespace swallowtail::planner::detail

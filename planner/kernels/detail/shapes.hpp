@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstddef>
+
+#include "planner/kernels/detail/field_solid.hpp"
+
+/// The shapes' own numbers, by which the kernels choose their formulas (signed_distance.inl).
+namespace swallowtail::planner::detail {
+
+struct CylinderShape {
+  double radius_m;
+  double height_m;
+};
+struct ConeShape {
+  double radius_m;
+  double height_m;
+  double slant_m;
+};
+struct BoxShape {
+  double half_m[3];
+};
+struct MeshShape {
+  const double* directions;  ///< three numbers each
+  const double* supports;
+  std::size_t count;
+};
+
+inline CylinderShape cylinder_of(const FieldSolid& s) { return {s.radius_m, s.height_m}; }
+inline ConeShape cone_of(const FieldSolid& s) { return {s.radius_m, s.height_m, s.slant_m}; }
+inline BoxShape box_of(const FieldSolid& s) { return {{s.half_m.x(), s.half_m.y(), s.half_m.z()}}; }
+inline MeshShape mesh_of(const FieldSolid& s, const double* supports) {
+  return {mesh_directions().front().data(), supports + s.first_support, kMeshDirections};
+}
+
+/// Distances are found to this share of (hop length + bounding radius).
+inline constexpr double kDistanceTolerance = 1e-11;
+
+}  // namespace swallowtail::planner::detail
