@@ -17,6 +17,8 @@ void add_cover(CLI::App& app, Exit& exit);
 void add_gtsp(CLI::App& app, Exit& exit);
 void add_terrain(CLI::App& app, Exit& exit);
 void add_schema(CLI::App& app, Exit& exit);
+/// Hands everything that follows to the program swallowtail-bench, which stands beside this one.
+void add_bench(CLI::App& app, Exit& exit);
 
 struct RecordingCheck {
   std::string scenario;

@@ -28,6 +28,7 @@ int main(int argc, char** argv) {
 #endif
   swallowtail::cli::add_terrain(app, exit);
   swallowtail::cli::add_schema(app, exit);
+  swallowtail::cli::add_bench(app, exit);
   swallowtail::cli::watch_signals();
   try {
     app.parse(argc, argv);
