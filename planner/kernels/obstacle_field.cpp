@@ -212,7 +212,7 @@ double ObstacleField::terrain_violation_m(const Vec3& a, const Vec3& b) const {
   if (terrain.is_flat()) {
     return std::max(0.0, ground_clearance_m_ - (std::min(a.z(), b.z()) - terrain.flat_elevation_m()));
   }
-  return std::max(0.0, ground_clearance_m_ - terrain.min_height_above(a, b));
+  return ground_clearance_m_ - terrain.min_height_above(a, b, ground_clearance_m_);
 }
 
 }  // namespace swallowtail::planner

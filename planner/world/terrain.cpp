@@ -24,7 +24,7 @@ struct Terrain::Raster {
   explicit Raster(TerrainGrid g) : grid(std::move(g)), pyramid(grid) {}
 
   /// Grid coordinates: column u, row v, with the edge continued.
-  Vec2 to_grid(const Vec2& p_m) const { return (p_m - grid.origin_m) / grid.cell_size_m; }
+  Vec2 to_grid(const Vec2& p_m) const { return (p_m - grid.origin_m) * per_metre; }
   Vec2 to_grid_clamped(const Vec2& p_m) const {
     return to_grid(p_m).cwiseMax(0.0).cwiseMin(Vec2(grid.cols - 1.0, grid.rows - 1.0));
   }
@@ -59,6 +59,7 @@ struct Terrain::Raster {
   }
 
   TerrainGrid grid;
+  double per_metre = 1.0 / grid.cell_size_m;
   detail::RasterPyramid pyramid;
 };
 
@@ -103,9 +104,13 @@ double Terrain::height_at(double x_m, double y_m) const {
 }
 
 double Terrain::min_height_above(const Vec3& a, const Vec3& b) const {
+  return min_height_above(a, b, std::numeric_limits<double>::infinity());
+}
+
+double Terrain::min_height_above(const Vec3& a, const Vec3& b, double cap_m) const {
   if (!is_finite(a) || !is_finite(b)) return kNan;
-  if (!grid_) return std::min(a.z(), b.z()) - flat_elevation_m_;
-  double best = std::min(a.z() - height_at(a.x(), a.y()), b.z() - height_at(b.x(), b.y()));
+  if (!grid_) return std::min(cap_m, std::min(a.z(), b.z()) - flat_elevation_m_);
+  double best = std::min({cap_m, a.z() - height_at(a.x(), a.y()), b.z() - height_at(b.x(), b.y())});
   grid_->for_each_stretch(a, b, [&](const detail::RasterSegment& segment, double t0, double t1) {
     best = grid_->pyramid.min_height_above(segment, t0, t1, best);
   });

@@ -45,6 +45,8 @@ class Terrain {
   /// crosses), no peak is stepped over. A pyramid of maxima leaves out whatever lies too low to matter, so
   /// that long segments over large rasters stay cheap.
   double min_height_above(const Vec3& a, const Vec3& b) const;
+  /// The lesser of that and `cap_m`; the quicker, the lower the cap.
+  double min_height_above(const Vec3& a, const Vec3& b, double cap_m) const;
 
   /// Length of the part of the segment that lies at or below the ground, exact to rounding [BOA Eq. 14].
   double length_below(const Vec3& a, const Vec3& b) const;

@@ -1,103 +1,21 @@
 #include "planner/world/detail/raster_pyramid.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstddef>
 #include <limits>
 
 namespace swallowtail::planner::detail {
 namespace {
 
 constexpr double kInf = std::numeric_limits<double>::infinity();
-
-float round_up(double v) {
-  const auto f = static_cast<float>(v);
-  return static_cast<double>(f) < v ? std::nextafter(f, std::numeric_limits<float>::infinity()) : f;
-}
-
-/// Least value for s in [0, 1].
-template <class Parabola>
-double least(const Parabola& p) {
-  double value = std::min(p.at(0.0), p.at(1.0));
-  if (p.h2 > 0.0) {
-    const double s = -p.h1 / (2.0 * p.h2);
-    if (s > 0.0 && s < 1.0) value = std::min(value, p.at(s));
-  }
-  return value;
-}
-
-/// Length of {s in [0, 1]: value ≤ 0}.
-template <class Parabola>
-double share_not_positive(const Parabola& p) {
-  const auto clipped = [](double s) { return std::clamp(s, 0.0, 1.0); };
-  if (p.h2 == 0.0) {
-    if (p.h1 == 0.0) return p.h0 <= 0.0 ? 1.0 : 0.0;
-    const double root = clipped(-p.h0 / p.h1);
-    return p.h1 > 0.0 ? root : 1.0 - root;
-  }
-  const double discriminant = p.h1 * p.h1 - 4.0 * p.h0 * p.h2;
-  if (!(discriminant > 0.0)) return p.h2 < 0.0 ? 1.0 : 0.0;
-  // The root that does not cancel, and its partner by their product.
-  const double q = -0.5 * (p.h1 + std::copysign(std::sqrt(discriminant), p.h1));
-  const double first = clipped(std::min(q / p.h2, p.h0 / q));
-  const double second = clipped(std::max(q / p.h2, p.h0 / q));
-  return p.h2 > 0.0 ? second - first : 1.0 - (second - first);
-}
+constexpr int kSide = 4;  ///< cells along the side of a smallest block
 
 }  // namespace
-
-RasterPyramid::RasterPyramid(const TerrainGrid& grid) : grid_(&grid) {
-  int rows = grid.rows - 1;
-  int cols = grid.cols - 1;
-  while (rows > 1 || cols > 1) {
-    const int level = top();
-    Level next{(rows + 1) / 2, (cols + 1) / 2, {}};
-    next.blocks.reserve(static_cast<std::size_t>(next.rows) * static_cast<std::size_t>(next.cols));
-    for (int r = 0; r < next.rows; ++r) {
-      for (int c = 0; c < next.cols; ++c) {
-        Block joined = block(level, 2 * r, 2 * c);
-        for (const auto& [dr, dc] : {std::array{0, 1}, std::array{1, 0}, std::array{1, 1}}) {
-          if (2 * r + dr >= rows || 2 * c + dc >= cols) continue;
-          const Block part = block(level, 2 * r + dr, 2 * c + dc);
-          joined = {std::min(joined.min_m, part.min_m), std::max(joined.max_m, part.max_m),
-                    std::max(joined.slope, part.slope)};
-        }
-        next.blocks.push_back(joined);
-      }
-    }
-    rows = next.rows;
-    cols = next.cols;
-    levels_.push_back(std::move(next));
-  }
-  max_slope_ = static_cast<double>(block(top(), 0, 0).slope);
-}
 
 RasterPyramid::Cell RasterPyramid::cell(int row, int col) const {
   const float* south = grid_->elevation_m.data() + static_cast<std::ptrdiff_t>(row) * grid_->cols + col;
   const float* north = south + grid_->cols;
   return {south[0], south[1], north[0], north[1]};
-}
-
-// The gradient is linear along each edge, so its length is greatest at a corner.
-double RasterPyramid::slope_of_cell(int row, int col) const {
-  const Cell z = cell(row, col);
-  const double east = std::max(std::abs(z.se - z.sw), std::abs(z.ne - z.nw));
-  const double north = std::max(std::abs(z.nw - z.sw), std::abs(z.ne - z.se));
-  return std::hypot(east, north) / grid_->cell_size_m;
-}
-
-RasterPyramid::Block RasterPyramid::block_of_cell(int row, int col) const {
-  const Cell z = cell(row, col);
-  return {static_cast<float>(std::min({z.sw, z.se, z.nw, z.ne})),
-          static_cast<float>(std::max({z.sw, z.se, z.nw, z.ne})), round_up(slope_of_cell(row, col))};
-}
-
-RasterPyramid::Block RasterPyramid::block(int level, int row, int col) const {
-  if (level == 0) return block_of_cell(row, col);
-  const Level& blocks = levels_[static_cast<std::size_t>(level) - 1];
-  return blocks.blocks[static_cast<std::size_t>(row) * static_cast<std::size_t>(blocks.cols) +
-                       static_cast<std::size_t>(col)];
 }
 
 double RasterPyramid::height_at(const Vec2& uv) const {
@@ -109,108 +27,212 @@ double RasterPyramid::height_at(const Vec2& uv) const {
   return (1.0 - fv) * ((1.0 - fu) * z.sw + fu * z.se) + fv * ((1.0 - fu) * z.nw + fu * z.ne);
 }
 
+/// One coordinate of a walk: when it leaves a block, and to which side.
+struct RasterPyramid::Axis {
+  Axis(double from, double step)
+      : start(from),
+        slope(step),
+        stands(std::abs(step) < kStill),
+        inverse(stands ? 0.0 : 1.0 / step),
+        never(stands ? kInf : 0.0),
+        direction(step < 0.0 ? -1 : 1),
+        far_side(step < 0.0 ? 0 : 1) {}
+
+  double at(double t) const { return start + slope * t; }
+  /// When the walk leaves block `index` of that many cells.
+  double exit(int index, int cells) const { return ((index + far_side) * cells - start) * inverse + never; }
+  /// Whether block `index`, just entered, is the first of its parent on the way.
+  bool enters_parent(int index) const { return (index & 1) != far_side; }
+
+  static constexpr double kStill = 1e-200;  ///< its inverse would overflow
+  double start;
+  double slope;
+  bool stands;
+  double inverse;
+  double never;
+  int direction;
+  int far_side;
+};
+
+/// Height above ground along the way through one cell: h_in at t_in, h_out at t_out, between them the chord
+/// and a parabola: h(s) = h_in + s·(h_out − h_in) − bend·s·(1 − s), s from 0 to 1.
+struct RasterPyramid::Piece {
+  double t_in, t_out;
+  double h_in, h_out;
+  double bend;
+
+  double least() const {
+    const double ends = std::min(h_in, h_out);
+    const double slope = h_out - h_in - bend;
+    if (!(bend > 0.0) || !(slope < 0.0) || !(slope + 2.0 * bend > 0.0)) return ends;
+    return h_in - slope * slope / (4.0 * bend);
+  }
+  double share_below() const;
+};
+
+double RasterPyramid::Piece::share_below() const {
+  const auto clipped = [](double s) { return std::clamp(s, 0.0, 1.0); };
+  const double slope = h_out - h_in - bend;
+  if (bend == 0.0) {
+    if (slope == 0.0) return h_in <= 0.0 ? 1.0 : 0.0;
+    const double root = clipped(-h_in / slope);
+    return slope > 0.0 ? root : 1.0 - root;
+  }
+  const double discriminant = slope * slope - 4.0 * h_in * bend;
+  if (!(discriminant > 0.0)) return bend < 0.0 ? 1.0 : 0.0;
+  // The root that does not cancel, and its partner by their product.
+  const double q = -0.5 * (slope + std::copysign(std::sqrt(discriminant), slope));
+  const double first = clipped(std::min(q / bend, h_in / q));
+  const double second = clipped(std::max(q / bend, h_in / q));
+  return bend > 0.0 ? second - first : 1.0 - (second - first);
+}
+
+template <class Take>
+void RasterPyramid::walk_cells(const RasterSegment& segment, const Axis& u, const Axis& v,
+                               const Level& lowest, int row, int col, double t_in, double t_out,
+                               const Take& take) const {
+  const int first_col = col * lowest.cells;
+  const int first_row = row * lowest.cells;
+  const int last_col = std::min(first_col + lowest.cells, grid_->cols - 1) - 1;
+  const int last_row = std::min(first_row + lowest.cells, grid_->rows - 1) - 1;
+  int c = std::clamp(static_cast<int>(u.at(t_in)), first_col, last_col);
+  int r = std::clamp(static_cast<int>(v.at(t_in)), first_row, last_row);
+  const double turn = -u.slope * v.slope;
+  double h_in = segment.z_m + segment.climb_m * t_in - height_at(Vec2(u.at(t_in), v.at(t_in)));
+  double t = t_in;
+  while (c >= first_col && c <= last_col && r >= first_row && r <= last_row) {
+    const double tu = u.exit(c, 1);
+    const double tv = v.exit(r, 1);
+    const double next = std::max(t, std::min(std::min(tu, tv), t_out));
+    const Cell z = cell(r, c);
+    const double fu = u.at(next) - c;
+    const double fv = v.at(next) - r;
+    const double south = z.sw + fu * (z.se - z.sw);
+    const double north = z.nw + fu * (z.ne - z.nw);
+    const double h_out = segment.z_m + segment.climb_m * next - (south + fv * (north - south));
+    const double span = next - t;
+    take(Piece{t, next, h_in, h_out, turn * span * span * (z.sw - z.se - z.nw + z.ne)});
+    if (next >= t_out) return;
+    h_in = h_out;
+    t = next;
+    if (tu <= tv) {
+      c += u.direction;
+    } else {
+      r += v.direction;
+    }
+  }
+}
+
+template <class Skip, class Take>
+void RasterPyramid::walk(const RasterSegment& segment, double t0, double t1, const Skip& skip,
+                         const Take& take) const {
+  const Axis u(segment.start.x(), segment.step.x());
+  const Axis v(segment.start.y(), segment.step.y());
+  // Blocks much larger than the segment say little about it.
+  const double reach = std::max(std::abs(u.slope), std::abs(v.slope)) * (t1 - t0);
+  std::size_t tier = 0;
+  while (tier + 1 < levels_.size() && levels_[tier].cells < reach) ++tier;
+  int col = std::clamp(static_cast<int>(u.at(t0)), 0, grid_->cols - 2) / levels_[tier].cells;
+  int row = std::clamp(static_cast<int>(v.at(t0)), 0, grid_->rows - 2) / levels_[tier].cells;
+  double t = t0;
+  double z = segment.z_m + segment.climb_m * t;
+  while (t < t1) {
+    const Level& level = levels_[tier];
+    const double tu = u.exit(col, level.cells);
+    const double tv = v.exit(row, level.cells);
+    const double t_out = std::max(t, std::min(std::min(tu, tv), t1));
+    const double z_out = segment.z_m + segment.climb_m * t_out;
+    if (!skip(level.index(row, col), t, z, t_out, z_out)) {
+      if (tier > 0) {
+        --tier;
+        const Level& finer = levels_[tier];
+        col = std::min(2 * col + (u.at(t) >= (2 * col + 1) * finer.cells ? 1 : 0), finer.cols - 1);
+        row = std::min(2 * row + (v.at(t) >= (2 * row + 1) * finer.cells ? 1 : 0), finer.rows - 1);
+        continue;
+      }
+      walk_cells(segment, u, v, level, row, col, t, t_out, take);
+    }
+    t = t_out;
+    z = z_out;
+    const bool across = tu <= tv;
+    int& index = across ? col : row;
+    index += across ? u.direction : v.direction;
+    if (index < 0 || index >= (across ? level.cols : level.rows)) return;
+    if (tier + 1 < levels_.size() && (across ? u : v).enters_parent(index)) {
+      ++tier;
+      col /= 2;
+      row /= 2;
+    }
+  }
+}
+
 double RasterPyramid::min_height_above(const RasterSegment& segment, double t0, double t1,
                                        double best) const {
-  const auto skip = [&](int level, int row, int col, double from, double to) {
-    const double lowest = segment.z_m + std::min(segment.climb_m * from, segment.climb_m * to);
-    return lowest - static_cast<double>(block(level, row, col).max_m) >= best;
+  const auto skip = [&](std::size_t index, double, double z_in, double, double z_out) {
+    return std::min(z_in, z_out) - static_cast<double>(max_[index]) >= best;
   };
-  const auto leaf = [&](int row, int col, double from, double to) {
-    best = std::min(best, least(above_cell(segment, row, col, from, to)));
-  };
-  descend(segment, top(), 0, 0, t0, t1, skip, leaf);
+  walk(segment, t0, t1, skip, [&](const Piece& piece) { best = std::min(best, piece.least()); });
   return best;
 }
 
 double RasterPyramid::share_below(const RasterSegment& segment, double t0, double t1) const {
   double share = 0.0;
-  const auto skip = [&](int level, int row, int col, double from, double to) {
-    const double z0 = segment.z_m + segment.climb_m * from;
-    const double z1 = segment.z_m + segment.climb_m * to;
-    const Block b = block(level, row, col);
-    if (std::min(z0, z1) > static_cast<double>(b.max_m)) return true;
-    if (!(std::max(z0, z1) < static_cast<double>(b.min_m))) return false;
-    share += to - from;
+  const auto skip = [&](std::size_t index, double t_in, double z_in, double t_out, double z_out) {
+    if (std::min(z_in, z_out) > static_cast<double>(max_[index])) return true;
+    if (!(std::max(z_in, z_out) < static_cast<double>(min_[index]))) return false;
+    share += t_out - t_in;
     return true;
   };
-  const auto leaf = [&](int row, int col, double from, double to) {
-    share += (to - from) * share_not_positive(above_cell(segment, row, col, from, to));
+  const auto take = [&](const Piece& piece) {
+    if (std::min(piece.h_in, piece.h_out) - std::max(piece.bend, 0.0) > 0.0) return;
+    share += (piece.t_out - piece.t_in) * piece.share_below();
   };
-  descend(segment, top(), 0, 0, t0, t1, skip, leaf);
+  walk(segment, t0, t1, skip, take);
   return share;
 }
 
-template <class Skip, class Leaf>
-void RasterPyramid::descend(const RasterSegment& segment, int level, int row, int col, double t0, double t1,
-                            const Skip& skip, const Leaf& leaf) const {
-  if (skip(level, row, col, t0, t1)) return;
-  if (level == 0) return leaf(row, col, t0, t1);
-  // Cut where the segment crosses the block's two middle lines; each piece lies in one quarter.
-  const int half = 1 << (level - 1);
-  const Vec2 middle((2 * col + 1) * static_cast<double>(half), (2 * row + 1) * static_cast<double>(half));
-  std::array<double, 4> cuts = {t0, t1, t1, t1};
-  std::size_t count = 1;
-  for (int axis = 0; axis < 2; ++axis) {
-    const double t = (middle[axis] - segment.start[axis]) / segment.step[axis];
-    if (t > t0 && t < t1) cuts[count++] = t;
-  }
-  if (count == 3 && cuts[1] > cuts[2]) std::swap(cuts[1], cuts[2]);
-  cuts[count] = t1;
-  const int child_rows = level == 1 ? grid_->rows - 1 : levels_[static_cast<std::size_t>(level) - 2].rows;
-  const int child_cols = level == 1 ? grid_->cols - 1 : levels_[static_cast<std::size_t>(level) - 2].cols;
-  for (std::size_t i = 0; i < count; ++i) {
-    const Vec2 at = segment.start + segment.step * (0.5 * (cuts[i] + cuts[i + 1]));
-    const int child_row = std::min(2 * row + (at.y() >= middle.y() ? 1 : 0), child_rows - 1);
-    const int child_col = std::min(2 * col + (at.x() >= middle.x() ? 1 : 0), child_cols - 1);
-    descend(segment, level - 1, child_row, child_col, cuts[i], cuts[i + 1], skip, leaf);
-  }
-}
-
-RasterPyramid::Parabola RasterPyramid::above_cell(const RasterSegment& segment, int row, int col, double t0,
-                                                  double t1) const {
-  const Cell z = cell(row, col);
-  const double east = z.se - z.sw;
-  const double north = z.nw - z.sw;
-  const double twist = z.sw - z.se - z.nw + z.ne;
-  const Vec2 corner(col, row);
-  const Vec2 from = segment.start + segment.step * t0 - corner;
-  const Vec2 span = segment.step * (t1 - t0);
-  const double z0 = segment.z_m + segment.climb_m * t0;
-  const double climb = segment.climb_m * (t1 - t0);
-  return {z0 - (z.sw + east * from.x() + north * from.y() + twist * from.x() * from.y()),
-          climb - (east * span.x() + north * span.y() + twist * (from.x() * span.y() + from.y() * span.x())),
-          -twist * span.x() * span.y()};
-}
-
-/// Calls visit_block(level, row, col, block, is_inside) from the top; it answers whether to descend. Blocks
+/// Calls visit_block(row, col, block, is_inside, is_cell) from the top; it answers whether to descend. Blocks
 /// that the rectangle does not touch are left out.
 template <class Visit>
-void RasterPyramid::visit(int level, int row, int col, const Vec2& lo, const Vec2& hi,
+void RasterPyramid::visit(std::size_t tier, int row, int col, const Vec2& lo, const Vec2& hi,
                           Visit&& visit_block) const {
-  const double size = static_cast<double>(1 << level);
-  const Vec2 south_west(col * size, row * size);
+  const Level& level = levels_[tier];
+  const Vec2 south_west(col * level.cells, row * level.cells);
   const Vec2 north_east =
-      (south_west.array() + size).min(Eigen::Array2d(grid_->cols - 1.0, grid_->rows - 1.0));
+      (south_west.array() + level.cells).min(Eigen::Array2d(grid_->cols - 1.0, grid_->rows - 1.0));
   if ((lo.array() > north_east.array()).any() || (hi.array() < south_west.array()).any()) return;
   const bool inside = (lo.array() <= south_west.array()).all() && (hi.array() >= north_east.array()).all();
-  if (!visit_block(level, row, col, block(level, row, col), inside) || level == 0) return;
-  const int rows = level == 1 ? grid_->rows - 1 : levels_[static_cast<std::size_t>(level) - 2].rows;
-  const int cols = level == 1 ? grid_->cols - 1 : levels_[static_cast<std::size_t>(level) - 2].cols;
-  for (int r = 2 * row; r < std::min(2 * row + 2, rows); ++r) {
-    for (int c = 2 * col; c < std::min(2 * col + 2, cols); ++c) visit(level - 1, r, c, lo, hi, visit_block);
+  if (!visit_block(row, col, block(level.index(row, col)), inside, false)) return;
+  if (tier == 0) return visit_cells(row, col, lo, hi, visit_block);
+  const Level& finer = levels_[tier - 1];
+  for (int r = 2 * row; r < std::min(2 * row + 2, finer.rows); ++r) {
+    for (int c = 2 * col; c < std::min(2 * col + 2, finer.cols); ++c)
+      visit(tier - 1, r, c, lo, hi, visit_block);
+  }
+}
+
+template <class Visit>
+void RasterPyramid::visit_cells(int row, int col, const Vec2& lo, const Vec2& hi, Visit&& visit_block) const {
+  for (int r = kSide * row; r < std::min(kSide * (row + 1), grid_->rows - 1); ++r) {
+    if (lo.y() > r + 1 || hi.y() < r) continue;
+    for (int c = kSide * col; c < std::min(kSide * (col + 1), grid_->cols - 1); ++c) {
+      if (lo.x() > c + 1 || hi.x() < c) continue;
+      const bool inside = lo.x() <= c && lo.y() <= r && hi.x() >= c + 1 && hi.y() >= r + 1;
+      visit_block(r, c, block_of_cell(r, c), inside, true);
+    }
   }
 }
 
 // A bilinear patch over a rectangle is greatest and least at the rectangle's corners.
 double RasterPyramid::max_in(const Vec2& lo, const Vec2& hi) const {
   double best = std::max(height_at(lo), height_at(hi));
-  visit(top(), 0, 0, lo, hi, [&](int level, int row, int col, const Block& b, bool inside) {
+  visit(levels_.size() - 1, 0, 0, lo, hi, [&](int row, int col, const Block& b, bool inside, bool is_cell) {
     if (static_cast<double>(b.max_m) <= best) return false;
     if (inside) {
       best = static_cast<double>(b.max_m);
       return false;
     }
-    if (level == 0) {
+    if (is_cell) {
       const Vec2 from = lo.cwiseMax(Vec2(col, row));
       const Vec2 to = hi.cwiseMin(Vec2(col + 1, row + 1));
       best = std::max({best, height_at(from), height_at(to), height_at(Vec2(from.x(), to.y())),
@@ -223,13 +245,13 @@ double RasterPyramid::max_in(const Vec2& lo, const Vec2& hi) const {
 
 double RasterPyramid::min_in(const Vec2& lo, const Vec2& hi) const {
   double best = std::min(height_at(lo), height_at(hi));
-  visit(top(), 0, 0, lo, hi, [&](int level, int row, int col, const Block& b, bool inside) {
+  visit(levels_.size() - 1, 0, 0, lo, hi, [&](int row, int col, const Block& b, bool inside, bool is_cell) {
     if (static_cast<double>(b.min_m) >= best) return false;
     if (inside) {
       best = static_cast<double>(b.min_m);
       return false;
     }
-    if (level == 0) {
+    if (is_cell) {
       const Vec2 from = lo.cwiseMax(Vec2(col, row));
       const Vec2 to = hi.cwiseMin(Vec2(col + 1, row + 1));
       best = std::min({best, height_at(from), height_at(to), height_at(Vec2(from.x(), to.y())),
@@ -241,14 +263,14 @@ double RasterPyramid::min_in(const Vec2& lo, const Vec2& hi) const {
 }
 
 double RasterPyramid::max_slope_in(const Vec2& lo, const Vec2& hi) const {
-  double best = -kInf;
-  visit(top(), 0, 0, lo, hi, [&](int level, int, int, const Block& b, bool inside) {
+  double best = 0.0;
+  visit(levels_.size() - 1, 0, 0, lo, hi, [&](int, int, const Block& b, bool inside, bool is_cell) {
     if (static_cast<double>(b.slope) <= best) return false;
-    if (!inside && level > 0) return true;
+    if (!inside && !is_cell) return true;
     best = static_cast<double>(b.slope);
     return false;
   });
-  return std::max(best, 0.0);
+  return best;
 }
 
 }  // namespace swallowtail::planner::detail

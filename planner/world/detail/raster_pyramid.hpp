@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <memory>
 #include <vector>
 
 #include "planner/world/terrain.hpp"
@@ -14,15 +16,16 @@ struct RasterSegment {
   double climb_m = 0.0;
 };
 
-/// Minima, maxima and slopes of a raster over blocks of 2^L × 2^L cells, so that questions about large areas
-/// descend only where they must. All rectangles and segments are in grid coordinates and inside the raster.
-/// Borrows the grid.
+/// Minima, maxima and slopes of a raster over blocks of 4·2^k × 4·2^k cells, so that questions about large
+/// areas descend only where they must; blocks smaller than 4 × 4 are not worth their memory. All rectangles
+/// and segments are in grid coordinates and inside the raster. Borrows the grid.
 class RasterPyramid {
  public:
   explicit RasterPyramid(const TerrainGrid& grid);
 
   double height_at(const Vec2& uv) const;
-  /// The lesser of `best` and the least height above the ground for t in [t0, t1].
+  /// The lesser of `best` and the least height above the ground for t in [t0, t1]. The heights at t0 and t1
+  /// must be among `best`.
   double min_height_above(const RasterSegment& segment, double t0, double t1, double best) const;
   /// Length of {t in [t0, t1]: at or below the ground}.
   double share_below(const RasterSegment& segment, double t0, double t1) const;
@@ -30,47 +33,54 @@ class RasterPyramid {
   double min_in(const Vec2& lo, const Vec2& hi) const;
   /// Over all cells that the closed rectangle touches.
   double max_slope_in(const Vec2& lo, const Vec2& hi) const;
-  double max_slope() const { return max_slope_; }
+  double max_slope() const { return static_cast<double>(slope_[count_ - 1]); }
 
  private:
   struct Block {
     float min_m = 0.0F;
     float max_m = 0.0F;
-    float slope = 0.0F;  ///< rounded up
+    float slope = 0.0F;  ///< not below the true one
   };
   struct Level {
     int rows = 0;
     int cols = 0;
-    std::vector<Block> blocks;
+    int cells = 0;  ///< along a block's side
+    std::size_t first = 0;
+    std::size_t index(int row, int col) const {
+      return first + static_cast<std::size_t>(row) * static_cast<std::size_t>(cols) +
+             static_cast<std::size_t>(col);
+    }
   };
   /// One cell's four corners: south-west, south-east, north-west, north-east.
   struct Cell {
     double sw, se, nw, ne;
   };
+  struct Piece;
+  struct Axis;
 
+  void lay_out_levels();
+  void fill_lowest();
+  void join_level(const Level& below, const Level& level);
   Cell cell(int row, int col) const;
   Block block_of_cell(int row, int col) const;
-  Block block(int level, int row, int col) const;
-  int top() const { return static_cast<int>(levels_.size()); }
+  Block block(std::size_t index) const { return {min_[index], max_[index], slope_[index]}; }
 
-  /// Height above a cell's patch at t0 + s·(t1 − t0): h0 + s·h1 + s²·h2.
-  struct Parabola {
-    double h0, h1, h2;
-    double at(double s) const { return h0 + s * (h1 + s * h2); }
-  };
-  Parabola above_cell(const RasterSegment& segment, int row, int col, double t0, double t1) const;
-  /// Goes down from a block: leaves out the pieces for which skip(level, row, col, t0, t1), calls leaf(row,
-  /// col, t0, t1) for each cell that is left, in the order in which the segment crosses them.
-  template <class Skip, class Leaf>
-  void descend(const RasterSegment& segment, int level, int row, int col, double t0, double t1,
-               const Skip& skip, const Leaf& leaf) const;
+  /// Follows the segment from t0 to t1 over the largest blocks for which skip(block index, t_in, z_in, t_out,
+  /// z_out) holds; where it does not hold for the smallest, calls piece(Piece) for each cell, in order.
+  template <class Skip, class Take>
+  void walk(const RasterSegment& segment, double t0, double t1, const Skip& skip, const Take& take) const;
+  template <class Take>
+  void walk_cells(const RasterSegment& segment, const Axis& u, const Axis& v, const Level& lowest, int row,
+                  int col, double t_in, double t_out, const Take& take) const;
   template <class Visit>
-  void visit(int level, int row, int col, const Vec2& lo, const Vec2& hi, Visit&& visit_block) const;
-  double slope_of_cell(int row, int col) const;
+  void visit(std::size_t level, int row, int col, const Vec2& lo, const Vec2& hi, Visit&& visit_block) const;
+  template <class Visit>
+  void visit_cells(int row, int col, const Vec2& lo, const Vec2& hi, Visit&& visit_block) const;
 
   const TerrainGrid* grid_;
-  std::vector<Level> levels_;  ///< levels_[L − 1] holds the blocks of 2^L × 2^L cells
-  double max_slope_ = 0.0;
+  std::vector<Level> levels_;  ///< smallest blocks first; the last is one block
+  std::size_t count_ = 0;
+  std::unique_ptr<float[]> min_, max_, slope_;
 };
 
 }  // namespace swallowtail::planner::detail

@@ -58,6 +58,17 @@ TEST(Terrain, LeastHeightInsideATwistedCellIsExact) {
   EXPECT_DOUBLE_EQ(twisted().min_height_above(Vec3(0, 10, 5), Vec3(10, 0, 5)), 2.5);
 }
 
+TEST(Terrain, LengthBelowTheGroundIsExact) {
+  const Terrain flat = Terrain::flat(10.0);
+  EXPECT_DOUBLE_EQ(flat.length_below(Vec3(0, 0, 5), Vec3(8, 0, 11)), 10.0 * 5.0 / 6.0);
+  EXPECT_EQ(flat.length_below(Vec3(0, 0, 10), Vec3(3, 4, 10)), 5.0) << "at the ground counts";
+  EXPECT_EQ(flat.length_below(Vec3(0, 0, 10.5), Vec3(3, 4, 11)), 0.0);
+  // Across the twisted cell the ground is 10·s·(1 − s): above 1.6 from s = 0.2 to 0.8.
+  EXPECT_NEAR(twisted().length_below(Vec3(0, 10, 1.6), Vec3(10, 0, 1.6)), 0.6 * std::sqrt(200.0), 1e-12);
+  // Beyond the north edge the edge is continued: 10 at x ≥ 10, so 0.5 m of the climb from 9.5 lies below.
+  EXPECT_NEAR(twisted().length_below(Vec3(10, 20, 9.5), Vec3(10, 20, 12)), 0.5, 1e-12);
+}
+
 TEST(Terrain, NoPeakIsSteppedOver) {
   TerrainGrid grid{Vec2::Zero(), 1.0, 401, 401, std::vector<float>(401 * 401, 0.0F)};
   grid.elevation_m[200 * 401 + 200] = 90.0F;
