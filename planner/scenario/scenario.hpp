@@ -5,6 +5,7 @@
 #include <numbers>
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -51,8 +52,10 @@ struct VehicleSpec {
 
 struct PlanningSpec {
   std::string algorithm = "boa";
-  int waypoints = 6;  ///< between start and goal
-  std::string cost = "default";
+  int waypoints = 6;                                    ///< between start and goal
+  std::string cost = "default";                         ///< a preset of cost/preset.hpp
+  std::vector<std::pair<std::string, double>> weights;  ///< by objective name, instead of the preset's
+  std::optional<Vec2> altitude_m;                       ///< least and greatest height above ground
 };
 
 struct HeightSpec {

@@ -84,6 +84,19 @@ void read_field_ids(Section& coverage, std::vector<std::string>& out) {
   }
 }
 
+void read_weights(Section& planning, PlanningSpec& out) {
+  auto weights = planning.section("weights", Need::kOptional);
+  if (!weights || !weights->is_map()) return;
+  for (const char* name : {"length", "energy", "range", "clearance", "altitude", "smoothness", "concealment",
+                           "threat", "violation", "contact", "collision", "F1", "F2", "F3", "F4"}) {
+    std::optional<double> weight;
+    if (weights->number(name, Need::kOptional, from_to(0, 1e9), weight) && weight) {
+      out.weights.emplace_back(name, *weight);
+    }
+  }
+  weights->finish();
+}
+
 }  // namespace
 
 void read_vehicle(Section& top, Scenario& scenario) {
@@ -111,7 +124,17 @@ void read_planning(Section& top, Scenario& scenario) {
                    "nmopso-seed"},
                   planning.algorithm);
   section->integer("waypoints", Need::kOptional, from_to(1, 64), planning.waypoints);
-  section->choice("cost", Need::kOptional, {"default", "boa", "pso", "ibabc", "nmopso"}, planning.cost);
+  section->choice(
+      "cost", Need::kOptional,
+      {"default", "BOA", "PSO", "IBABC", "NMOPSO", "SPSO", "boa", "pso", "ibabc", "nmopso", "spso"},
+      planning.cost);
+  read_weights(*section, planning);
+  Vec2 band = Vec2::Zero();
+  if (section->vector("altitude_m", Need::kOptional, from_to(0, 1e4), band)) {
+    planning.altitude_m = band;
+    if (band.x() >= band.y())
+      section->fail(Kind::kRelation, "altitude_m", "must rise from least to greatest");
+  }
   section->finish();
 }
 

@@ -76,6 +76,14 @@ TEST(ScenarioValues, WhatIsLeftOutHasTheStructsDefault) {
   EXPECT_FALSE(s.origin);
 }
 
+TEST(ScenarioValues, WeightsAndBandOfTheCost) {
+  const PlanningSpec full = read("full.yaml").planning;
+  EXPECT_EQ(full.cost, "BOA");
+  EXPECT_EQ(full.weights, (std::vector<std::pair<std::string, double>>{{"energy", 0.5}}));
+  EXPECT_EQ(*full.altitude_m, Vec2(20, 90));
+  EXPECT_EQ(read("weights.yaml").planning.weights.size(), 15u);
+}
+
 TEST(ScenarioTimeline, ObstaclesAppearMoveAndVanish) {
   const Scenario s = read("returning_obstacle.yaml");
   EXPECT_TRUE(obstacles_at(s, 9.9).empty());
