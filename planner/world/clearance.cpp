@@ -1,15 +1,14 @@
 #include "planner/world/clearance.hpp"
 
-#include <fcl/broadphase/broadphase_dynamic_AABB_tree.h>
-#include <fcl/geometry/shape/box.h>
-#include <fcl/narrowphase/collision_object.h>
-
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "planner/base/checks.hpp"
+#include "planner/world/detail/box_tree.hpp"
 #include "planner/world/detail/narrow_phase.hpp"
 
 namespace swallowtail::planner {
@@ -24,105 +23,124 @@ struct Flight {
   double t0_s, t1_s;
 };
 
-/// The box of a solid, its margin included, at its place; lives in the broad phase. FCL wants a geometry to
-/// take the box from.
-fcl::CollisionObjectd box_object(const Vec3& min_m, const Vec3& max_m) {
-  fcl::CollisionObjectd object(std::make_shared<fcl::Boxd>(max_m - min_m), fcl::Matrix3d::Identity(),
-                               0.5 * (min_m + max_m));
-  object.computeAABB();
-  return object;
+/// A point of the solid, relative to its position.
+Vec3 inner_point(const Shape& shape) {
+  if (const auto* c = std::get_if<Cylinder>(&shape)) return {0.0, 0.0, 0.5 * c->height_m};
+  if (const auto* c = std::get_if<Cone>(&shape)) return {0.0, 0.0, 0.25 * c->height_m};
+  if (const auto* m = std::get_if<ConvexMesh>(&shape)) {
+    const double c = std::cos(m->yaw_rad);
+    const double s = std::sin(m->yaw_rad);
+    const Vec3& v = m->vertices_m.front();
+    return {c * v.x() - s * v.y(), s * v.x() + c * v.y(), v.z()};
+  }
+  return Vec3::Zero();
 }
+
+/// The solid with its margin, relative to its position.
+Extent wide_extent(const Obstacle& obstacle) {
+  Extent box = extent(obstacle.shape);
+  box.min_m.array() -= obstacle.margin_m + kBoxRoom_m;
+  box.max_m.array() += obstacle.margin_m + kBoxRoom_m;
+  return box;
+}
+
+/// What a query gathers. No obstacle whose box, margin included, is farther than `bound_m` can lower either
+/// minimum: every slack is at most its distance.
+struct Search {
+  const Flight& flight;
+  double bound_m;
+  Clearance answer;
+};
 
 }  // namespace
 
 struct ClearanceQuery::Impl {
-  struct Solid {
-    const Obstacle* obstacle;
-    detail::NarrowShape narrow;
-    Extent extent;  ///< margin included, relative to the position
-  };
-
   explicit Impl(std::shared_ptr<const World> w);
 
-  /// What a traversal of the tree carries along.
-  struct Search {
-    const Impl* query;
-    const Flight* flight;
-    Clearance answer;
-    double reach_m;
-  };
-  static bool visit(fcl::CollisionObjectd* first, fcl::CollisionObjectd* second, void* data, double& bound);
-  void measure(const Solid& solid, Search& search) const;
-  bool sweeps_past(const Solid& solid, const Search& search) const;
+  detail::Approach approach(std::size_t index, const Vec3& p, const Vec3& q) const;
+  void measure(std::size_t index, Search& search) const;
+  void among_standing(Search& search) const;
+  void among_moving(Search& search) const;
+  const Obstacle& obstacle(std::size_t index) const { return world->obstacles()[index]; }
 
   std::shared_ptr<const World> world;
-  std::vector<Solid> standing;
-  std::vector<Solid> moving;
-  std::vector<fcl::CollisionObjectd> boxes;  ///< of `standing`, same order
-  fcl::DynamicAABBTreeCollisionManagerd tree;
+  std::vector<std::uint32_t> standing;  ///< indexes in the world
+  std::vector<std::uint32_t> moving;
+  std::optional<detail::BoxTree> tree;  ///< of `standing`, same order
+  /// Made when first asked for, by obstacle: most are never near.
+  mutable std::vector<std::optional<detail::NarrowShape>> narrow;
 };
 
-ClearanceQuery::Impl::Impl(std::shared_ptr<const World> w) : world(std::move(w)) {
-  for (const Obstacle& obstacle : world->obstacles()) {
-    Extent box = extent(obstacle.shape);
-    box.min_m.array() -= obstacle.margin_m + kBoxRoom_m;
-    box.max_m.array() += obstacle.margin_m + kBoxRoom_m;
-    (obstacle.moves() ? moving : standing).push_back({&obstacle, detail::NarrowShape(obstacle.shape), box});
+ClearanceQuery::Impl::Impl(std::shared_ptr<const World> w)
+    : world(std::move(w)), narrow(world->obstacles().size()) {
+  std::vector<Extent> boxes;
+  boxes.reserve(narrow.size());
+  standing.reserve(narrow.size());
+  for (std::uint32_t i = 0; i < narrow.size(); ++i) {
+    if (obstacle(i).moves()) {
+      moving.push_back(i);
+      continue;
+    }
+    const Extent box = wide_extent(obstacle(i));
+    boxes.push_back({obstacle(i).position_m + box.min_m, obstacle(i).position_m + box.max_m});
+    standing.push_back(i);
   }
-  boxes.reserve(standing.size());
-  for (Solid& solid : standing) {
-    boxes.push_back(box_object(solid.obstacle->position_m + solid.extent.min_m,
-                               solid.obstacle->position_m + solid.extent.max_m));
-    boxes.back().setUserData(&solid);
-  }
-  std::vector<fcl::CollisionObjectd*> pointers;
-  pointers.reserve(boxes.size());
-  for (auto& box : boxes) pointers.push_back(&box);
-  tree.registerObjects(pointers);
-  tree.setup();
+  tree.emplace(boxes);
 }
 
-// Every slack is at most its distance, so what is farther than the least distance so far (its box holds the
-// margin) can lower neither minimum.
-bool ClearanceQuery::Impl::visit(fcl::CollisionObjectd* first, fcl::CollisionObjectd* second, void* data,
-                                 double& bound) {
-  auto& search = *static_cast<Search*>(data);
-  const void* solid = first->getUserData() != nullptr ? first->getUserData() : second->getUserData();
-  search.query->measure(*static_cast<const Solid*>(solid), search);
-  // Not 0: FCL descends where the boxes' distance is less than the bound, and boxes that overlap (0) may
-  // still hold a lesser slack.
-  bound = std::max(std::min(search.reach_m, search.answer.distance_m), std::numeric_limits<double>::min());
-  return false;
+detail::Approach ClearanceQuery::Impl::approach(std::size_t index, const Vec3& p, const Vec3& q) const {
+  if (const auto* sphere = std::get_if<Sphere>(&obstacle(index).shape))
+    return detail::sphere_to_segment(*sphere, p, q);
+  if (!narrow[index]) narrow[index].emplace(obstacle(index).shape);
+  return narrow[index]->to_segment(p, q);
 }
 
-void ClearanceQuery::Impl::measure(const Solid& solid, Search& search) const {
-  const Obstacle& obstacle = *solid.obstacle;
-  const Flight& flight = *search.flight;
-  if (obstacle.valid_until_s < flight.t0_s) return;
+void ClearanceQuery::Impl::measure(std::size_t index, Search& search) const {
+  const Obstacle& solid = obstacle(index);
+  const Flight& flight = search.flight;
   double t1_s = flight.t1_s;
   Vec3 b = flight.b;
-  if (obstacle.valid_until_s < t1_s) {
-    b = flight.a + (flight.b - flight.a) * ((obstacle.valid_until_s - flight.t0_s) / (t1_s - flight.t0_s));
-    t1_s = obstacle.valid_until_s;
+  if (solid.valid_until_s < t1_s) {
+    b = flight.a + (flight.b - flight.a) * ((solid.valid_until_s - flight.t0_s) / (t1_s - flight.t0_s));
+    t1_s = solid.valid_until_s;
   }
-  const Vec3 p = flight.a - obstacle.position_at(flight.t0_s);
-  const Vec3 q = b - obstacle.position_at(t1_s);
-  const detail::Approach approach = solid.narrow.to_segment(p, q);
-  search.answer.distance_m = std::min(search.answer.distance_m, approach.distance_m);
-  if (approach.distance_m - obstacle.margin_m < search.answer.slack_m) {
-    search.answer.slack_m = approach.distance_m - obstacle.margin_m;
-    search.answer.obstacle_id = obstacle.id;
-    search.answer.time_s = flight.t0_s + (t1_s - flight.t0_s) * approach.fraction;
+  const Vec3 p = flight.a - solid.position_at(flight.t0_s);
+  const Vec3 q = b - solid.position_at(t1_s);
+  const detail::Approach nearest = approach(index, p, q);
+  search.answer.distance_m = std::min(search.answer.distance_m, nearest.distance_m);
+  search.bound_m = std::min(search.bound_m, nearest.distance_m);
+  if (nearest.distance_m - solid.margin_m < search.answer.slack_m) {
+    search.answer.slack_m = nearest.distance_m - solid.margin_m;
+    search.answer.obstacle_id = solid.id;
+    search.answer.time_s = flight.t0_s + (t1_s - flight.t0_s) * nearest.fraction;
   }
 }
 
-bool ClearanceQuery::Impl::sweeps_past(const Solid& solid, const Search& search) const {
-  const Vec3 p = search.flight->a - solid.obstacle->position_at(search.flight->t0_s);
-  const Vec3 q = search.flight->b - solid.obstacle->position_at(search.flight->t1_s);
-  const Vec3 gap =
-      (p.cwiseMin(q) - solid.extent.max_m).cwiseMax(solid.extent.min_m - p.cwiseMax(q)).cwiseMax(0.0);
-  const double bound = std::min(search.reach_m, search.answer.distance_m);
-  return gap.squaredNorm() > bound * bound;
+// First the bound from points inside the solids, which costs little; then the few that are left are measured.
+void ClearanceQuery::Impl::among_standing(Search& search) const {
+  const detail::SegmentProbe probe(search.flight.a, search.flight.b);
+  tree->visit_near(probe, search.bound_m, [&](std::uint32_t i) {
+    const Obstacle& solid = obstacle(standing[i]);
+    if (solid.valid_until_s >= search.flight.t1_s) {
+      const double away = probe.distance_to(solid.position_m + inner_point(solid.shape));
+      search.bound_m = std::min(search.bound_m, away + kBoxRoom_m);
+    }
+    return search.bound_m;
+  });
+  tree->visit_near(probe, search.bound_m, [&](std::uint32_t i) {
+    if (obstacle(standing[i]).valid_until_s >= search.flight.t0_s) measure(standing[i], search);
+    return search.bound_m;
+  });
+}
+
+void ClearanceQuery::Impl::among_moving(Search& search) const {
+  for (const std::uint32_t i : moving) {
+    const Obstacle& solid = obstacle(i);
+    if (solid.valid_until_s < search.flight.t0_s) continue;
+    const detail::SegmentProbe relative(search.flight.a - solid.position_at(search.flight.t0_s),
+                                        search.flight.b - solid.position_at(search.flight.t1_s));
+    if (relative.comes_near(wide_extent(solid), search.bound_m)) measure(i, search);
+  }
 }
 
 ClearanceQuery::ClearanceQuery(std::shared_ptr<const World> world)
@@ -137,15 +155,10 @@ Clearance ClearanceQuery::of_flight(const Vec3& a, double t0_s, const Vec3& b, d
     return {0.0, -std::numeric_limits<double>::infinity(), 0, t0_s};  // never clear
   }
   const Flight flight{a, b, t0_s, t1_s};
-  Impl::Search search{impl_.get(), &flight, {}, std::max(reach_m, 0.0)};
+  Search search{flight, std::max(reach_m, 0.0), {}};
   search.answer.time_s = t0_s;
-  if (!impl_->standing.empty()) {
-    fcl::CollisionObjectd swept = box_object(a.cwiseMin(b), a.cwiseMax(b));
-    impl_->tree.distance(&swept, &search, &Impl::visit);
-  }
-  for (const auto& solid : impl_->moving) {
-    if (!impl_->sweeps_past(solid, search)) impl_->measure(solid, search);
-  }
+  impl_->among_standing(search);
+  impl_->among_moving(search);
   return search.answer;
 }
 

@@ -27,10 +27,11 @@ struct Clearance {
 };
 
 /// Distances between a point that flies straight and every obstacle of a World, moving ones included: in the
-/// obstacle's own frame the flight is a segment again. Nothing is sampled. Standing obstacles wait in an FCL
-/// AABB tree, moving ones in a list that is asked with the box their relative flight sweeps. FCL's GJK does
-/// the narrow phase; its answer is trusted for the direction only, the distance is that of the supporting
-/// plane across that direction, which cannot exceed the true one. One query per thread; it shares the World.
+/// obstacle's own frame the flight is a segment again. Nothing is sampled. Standing obstacles wait in a tree
+/// of boxes, moving ones in a list that is asked with their relative flight. Spheres are measured in closed
+/// form; for all else FCL's GJK does the narrow phase; its answer is trusted for the direction only, the
+/// distance is that of the supporting plane across that direction, which cannot exceed the true one. One
+/// query per thread (it makes FCL's shapes when first asked for them); it shares the World.
 class ClearanceQuery {
  public:
   explicit ClearanceQuery(std::shared_ptr<const World> world);

@@ -82,6 +82,15 @@ double fraction_of(const Vec3& x, const Vec3& p, const Vec3& q) {
 
 }  // namespace
 
+// A fraction that rounding puts off by e metres along the segment gives a distance too great by at most e,
+// and e is some 1e-16 of the coordinates.
+Approach sphere_to_segment(const Sphere& sphere, const Vec3& p_m, const Vec3& q_m) {
+  const double fraction = fraction_of(Vec3::Zero(), p_m, q_m);
+  const double away = (p_m + (q_m - p_m) * fraction).norm() - sphere.radius_m;
+  const double scale = 1.0 + sphere.radius_m + p_m.norm() + q_m.norm();
+  return {std::max(0.0, away - kRounding * scale), fraction};
+}
+
 struct NarrowShape::Impl {
   explicit Impl(const Shape& shape) : solid(shape), fcl(to_fcl(shape)), request(distance_request()) {
     fcl_pose.translation().z() = fcl.raised_m;

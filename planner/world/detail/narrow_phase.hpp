@@ -12,6 +12,9 @@ struct Approach {
   double fraction = 0.0;    ///< where along p–q, 0 … 1
 };
 
+/// Closed form, less what rounding may have added.
+Approach sphere_to_segment(const Sphere& sphere, const Vec3& p_m, const Vec3& q_m);
+
 /// One obstacle's shape, ready for distance queries in the frame of its position. Const calls may run in
 /// several threads.
 class NarrowShape {
