@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 
-#include "planner/base/checks.hpp"
+#include "planner/swarm/placement.hpp"
 
 namespace swallowtail::swarm {
 namespace {
@@ -15,46 +14,23 @@ constexpr double kExponentRate = 0.02;
 /// Chance of a variable to take part in a move; one always does. Ours: without it the swarm collapses early
 /// (five spheres, 10,000 evaluations: median gap 0.05 % without, 0.02 % with it).
 constexpr double kTakesPart = 0.5;
-/// Noise of a bowed first path as a share of the box. Ours.
-constexpr double kBowNoise = 0.05;
 
 }  // namespace
 
-Status validate(const BoaParams& params) {
-  if (params.population < 3 || params.population > 100000) {
-    return bad_input("The population is " + std::to_string(params.population) + "; it must be 3 to 100000.");
-  }
-  if (!is_within(params.switch_probability, 0.0, 1.0)) {
-    return bad_input("The switch probability is " + std::to_string(params.switch_probability) +
-                     "; it must be 0 to 1.");
-  }
-  if (!is_within(params.exponent, 0.0, 1.0) || !is_within(params.exponent_end, 0.0, 1.0)) {
-    return bad_input("The fragrance exponents must be 0 to 1.");
-  }
-  return validate(params.launcher);
+Parameters parameters(BoaParams& p) {
+  return {{"population", &p.population, 3, 100000, "ours"},
+          {"switch_probability", &p.switch_probability, 0, 1, "[ARORA-SINGH]"},
+          {"exponent", &p.exponent, 0, 1, "[ARORA-SINGH]"},
+          {"exponent_end", &p.exponent_end, 0, 1, "[ARORA-SINGH]"},
+          {"hop_share", &p.launcher.hop_share, 1e-6, 1e6, "ours"},
+          {"stall_iterations", &p.launcher.stall_iterations, 1, 1e6, "ours"},
+          {"throws", &p.launcher.throws, 1, 1000, "ours"}};
 }
 
-void Boa::scatter(const Problem& problem, Eigen::Index agent, Rng& rng) {
-  auto x = agents_.col(agent);
-  const Eigen::Index n = problem.dimension();
-  if (!problem.waypoints || agent % 4 == 3) {
-    for (Eigen::Index i = 0; i < n; ++i) x[i] = rng.uniform(lower_[i], upper_[i]);
-    return;
-  }
-  const Eigen::Index count = n / 3;
-  const double angle = rng.uniform(0.0, 2.0 * std::numbers::pi);
-  const double height = rng.uniform();
-  for (Eigen::Index w = 0; w < count; ++w) {
-    const double s = static_cast<double>(w + 1) / static_cast<double>(count + 1);
-    const double bow = height * std::sqrt(std::sin(std::numbers::pi * s));
-    const Vec3 half = 0.5 * (upper_.segment<3>(3 * w) - lower_.segment<3>(3 * w));
-    const Vec3 sway(0.0, bow * std::cos(angle), bow * std::sin(angle));
-    const Vec3 noise(rng.uniform(-1, 1), rng.uniform(-1, 1), rng.uniform(-1, 1));
-    const Vec3 straight = (1.0 - s) * problem.waypoints->start + s * problem.waypoints->goal;
-    x.segment<3>(3 * w) = (straight + half.cwiseProduct(sway + kBowNoise * noise))
-                              .cwiseMax(lower_.segment<3>(3 * w))
-                              .cwiseMin(upper_.segment<3>(3 * w));
-  }
+Status validate(const BoaParams& params) {
+  BoaParams copy = params;
+  if (Status status = check(parameters(copy)); !status) return status;
+  return validate(params.launcher);
 }
 
 void Boa::rank() {
@@ -76,13 +52,7 @@ void Boa::init(const Problem& problem, const Eigen::MatrixXd& guesses, Evaluator
   exponent_ = params_.exponent;
   stalled_ = 0;
   launcher_.init(problem);
-  for (Eigen::Index i = 0; i < n; ++i) {
-    if (i < guesses.cols()) {
-      agents_.col(i) = guesses.col(i).cwiseMax(lower_).cwiseMin(upper_);
-    } else {
-      scatter(problem, i, rng);
-    }
-  }
+  place_population(problem, guesses, agents_, rng);
   evaluate(agents_, costs_);
   rank();
 }

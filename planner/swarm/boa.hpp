@@ -5,6 +5,7 @@
 
 #include "planner/base/result.hpp"
 #include "planner/swarm/optimizer.hpp"
+#include "planner/swarm/parameter.hpp"
 #include "planner/swarm/smart_launcher.hpp"
 
 namespace swallowtail::swarm {
@@ -16,6 +17,7 @@ struct BoaParams {
   double exponent_end = 0.3;        ///< a after many iterations [BOA Alg. 1, line 19]
   LauncherParams launcher{};
 };
+Parameters parameters(BoaParams& params);
 Status validate(const BoaParams& params);
 
 /// Butterfly optimisation with the smart launcher [BOA Alg. 1], the default form (`boa`). Departs from the
@@ -39,7 +41,6 @@ class Boa {
   void reassess(Evaluator& evaluate);
 
  private:
-  void scatter(const Problem& problem, Eigen::Index agent, Rng& rng);
   void rank();
 
   Params params_;

@@ -11,17 +11,35 @@ struct Entry {
   AnyParams (*defaults)();
 };
 
+template <class Params>
+AnyParams defaults() {
+  return AnyParams(Params{});
+}
+
 constexpr std::array kTable{
-    Entry{"boa", [] { return AnyParams(BoaParams{}); }},
+    Entry{"boa", defaults<BoaParams>},
+    Entry{"pso", defaults<PsoParams>},
+    Entry{"ibabc", defaults<IbabcParams>},
+    Entry{"aco", defaults<AcoParams>},
+    Entry{"boa-seed", defaults<BoaSeedParams>},
+    Entry{"pso-seed", defaults<PsoSeedParams>},
+    Entry{"ibabc-seed", defaults<IbabcSeedParams>},
+    Entry{"aco-seed", defaults<AcoSeedParams>},
 };
 
 /// Which algorithm takes which parameters.
 template <class Params>
 struct AlgorithmOf;
-template <>
-struct AlgorithmOf<BoaParams> {
-  using type = Boa;
-};
+// clang-format off
+template <> struct AlgorithmOf<BoaParams> { using type = Boa; };
+template <> struct AlgorithmOf<PsoParams> { using type = Pso; };
+template <> struct AlgorithmOf<IbabcParams> { using type = Ibabc; };
+template <> struct AlgorithmOf<AcoParams> { using type = Aco; };
+template <> struct AlgorithmOf<BoaSeedParams> { using type = BoaSeed; };
+template <> struct AlgorithmOf<PsoSeedParams> { using type = PsoSeed; };
+template <> struct AlgorithmOf<IbabcSeedParams> { using type = IbabcSeed; };
+template <> struct AlgorithmOf<AcoSeedParams> { using type = AcoSeed; };
+// clang-format on
 
 }  // namespace
 
@@ -43,6 +61,10 @@ Result<AnyParams> params_by_name(std::string_view name) {
 AnyParams with_population(AnyParams params, int population) {
   std::visit([population](auto& p) { p.population = population; }, params);
   return params;
+}
+
+Parameters parameters(AnyParams& params) {
+  return std::visit([](auto& p) { return parameters(p); }, params);
 }
 
 Result<Report> optimize(const AnyParams& params, const Problem& problem, const RunOptions& options) {

@@ -60,9 +60,12 @@ inline double path_cost(const std::vector<Vec3>& path, const std::vector<Ball>& 
   return cost;
 }
 
-/// Waypoints between two points with balls in the way, put anywhere by `placement`. The waypoints are
-/// variables of a frame that goes with the scene, as the planner's encodings are: x along start–goal.
-inline Problem corridor(int waypoints, const Placement& placement) {
+/// Which frame the waypoints are variables of: one that goes with the scene, as the planner's encodings are
+/// (x along start–goal), or the world's, where the box has to go with a scene that is not turned.
+enum class Frame { kOfTheScene, kOfTheWorld };
+
+/// Waypoints between two points with balls in the way, put anywhere by `placement`.
+inline Problem corridor(int waypoints, const Placement& placement, Frame frame = Frame::kOfTheScene) {
   const std::vector<Ball> local = {{{10, 0.5, 0}, 3}, {{16, -3, 1}, 2.5}, {{6, -4, -1}, 2}};
   std::vector<Ball> balls;
   for (const Ball& ball : local)
@@ -72,14 +75,20 @@ inline Problem corridor(int waypoints, const Placement& placement) {
   problem.waypoints = WaypointLayout{Vec3::Zero(), Vec3(20.0 * size, 0, 0)};
   problem.lower = (size * Vec3(-2, -10, -10)).replicate(waypoints, 1);
   problem.upper = (size * Vec3(22, 10, 10)).replicate(waypoints, 1);
-  problem.evaluate = [balls, placement](Candidates x, Costs costs) {
+  if (frame == Frame::kOfTheWorld) {
+    problem.waypoints = WaypointLayout{placement.apply(Vec3::Zero()), placement.apply(Vec3(20, 0, 0))};
+    problem.lower += placement.shift.replicate(waypoints, 1);
+    problem.upper += placement.shift.replicate(waypoints, 1);
+  }
+  problem.evaluate = [balls, placement, frame](Candidates x, Costs costs) {
     const Eigen::AngleAxisd turn(placement.turn_rad, Vec3::UnitZ());
     std::vector<Vec3> path(static_cast<std::size_t>(x.rows() / 3 + 2));
     for (Eigen::Index i = 0; i < x.cols(); ++i) {
       path.front() = placement.apply(Vec3::Zero());
       path.back() = placement.apply(Vec3(20, 0, 0));
       for (std::size_t w = 1; w + 1 < path.size(); ++w) {
-        path[w] = turn * Vec3(x.col(i).segment<3>(3 * (static_cast<Eigen::Index>(w) - 1))) + placement.shift;
+        const Vec3 p = x.col(i).segment<3>(3 * (static_cast<Eigen::Index>(w) - 1));
+        path[w] = frame == Frame::kOfTheWorld ? p : Vec3(turn * p + placement.shift);
       }
       costs[i] = path_cost(path, balls);
     }

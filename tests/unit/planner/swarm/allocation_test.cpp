@@ -1,9 +1,10 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cstdlib>
 
-#include "planner/swarm/boa.hpp"
+#include "planner/swarm/registry.hpp"
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__) || !defined(__GLIBC__)
 #define SWALLOWTAIL_COUNTS_ALLOCATIONS 0
@@ -26,7 +27,10 @@ extern "C" void* malloc(std::size_t size) noexcept {
 namespace swallowtail::swarm {
 namespace {
 
-TEST(BoaAllocation, AStepTakesNoMemory) {
+/// Allocations from the first to the last iteration as the observer sees them; the driver keeps no history.
+class StepAllocation : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(StepAllocation, AStepTakesNoMemory) {
   if (!SWALLOWTAIL_COUNTS_ALLOCATIONS) GTEST_SKIP() << "the sanitizer owns malloc";
   Problem problem;
   problem.lower = Eigen::VectorXd::Constant(12, -10.0);
@@ -35,15 +39,27 @@ TEST(BoaAllocation, AStepTakesNoMemory) {
   problem.evaluate = [](Candidates x, Costs costs) {
     for (Eigen::Index i = 0; i < x.cols(); ++i) costs[i] = (x.col(i).array() - 1.0).square().sum();
   };
-  Evaluator evaluate(problem, 1'000'000);
-  Rng rng(1);
-  Boa boa(BoaParams{});
-  boa.init(problem, {}, evaluate, rng);
-  const std::uint64_t before = allocations.load();
+  std::uint64_t before = 0;
+  std::uint64_t after = 0;
+  RunOptions options;
+  options.keep_history = false;
+  options.stop.max_iterations = 200;
+  options.observer = [&](const Progress& progress) {
+    if (progress.iterations == 0) before = allocations.load();
+    after = allocations.load();
+    return Advice::kContinue;
+  };
+  ASSERT_TRUE(optimize(*params_by_name(GetParam()), problem, options).ok());
   ASSERT_GT(before, 0u) << "the counter must count";
-  for (int i = 0; i < 200; ++i) boa.step(evaluate, rng);
-  EXPECT_EQ(allocations.load(), before);
+  EXPECT_EQ(after, before);
 }
+
+INSTANTIATE_TEST_SUITE_P(Registry, StepAllocation, ::testing::ValuesIn(algorithm_names()),
+                         [](const auto& test) {
+                           std::string name = test.param;
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
+                         });
 
 }  // namespace
 }  // namespace swallowtail::swarm
