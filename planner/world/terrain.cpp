@@ -36,6 +36,11 @@ struct Terrain::Raster {
     const Vec2 start = to_grid(a.head<2>());
     const Vec2 step = to_grid(b.head<2>()) - start;
     const Vec2 last(grid.cols - 1.0, grid.rows - 1.0);
+    const Vec2 end = start + step;
+    if (start.minCoeff() >= 0.0 && end.minCoeff() >= 0.0 && (start.array() <= last.array()).all() &&
+        (end.array() <= last.array()).all()) {
+      return stretch(detail::RasterSegment{start, step, a.z(), b.z() - a.z()}, 0.0, 1.0);
+    }
     std::array<double, 6> cuts = {0.0, 1.0, 1.0, 1.0, 1.0, 1.0};
     std::size_t count = 1;
     for (int axis = 0; axis < 2; ++axis) {
@@ -110,7 +115,7 @@ double Terrain::min_height_above(const Vec3& a, const Vec3& b) const {
 double Terrain::min_height_above(const Vec3& a, const Vec3& b, double cap_m) const {
   if (!is_finite(a) || !is_finite(b)) return kNan;
   if (!grid_) return std::min(cap_m, std::min(a.z(), b.z()) - flat_elevation_m_);
-  double best = std::min({cap_m, a.z() - height_at(a.x(), a.y()), b.z() - height_at(b.x(), b.y())});
+  double best = cap_m;
   grid_->for_each_stretch(a, b, [&](const detail::RasterSegment& segment, double t0, double t1) {
     best = grid_->pyramid.min_height_above(segment, t0, t1, best);
   });

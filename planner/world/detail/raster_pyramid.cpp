@@ -1,6 +1,7 @@
 #include "planner/world/detail/raster_pyramid.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -8,11 +9,13 @@ namespace swallowtail::planner::detail {
 namespace {
 
 constexpr double kInf = std::numeric_limits<double>::infinity();
-constexpr int kSide = 4;  ///< cells along the side of a smallest block
+constexpr int kSide = RasterPyramid::kSide;
+/// Segments of up to so many cells along an axis are followed over the smallest blocks only.
+constexpr double kShort = 48.0;
 
 }  // namespace
 
-RasterPyramid::Cell RasterPyramid::cell(int row, int col) const {
+inline RasterPyramid::Cell RasterPyramid::cell(int row, int col) const {
   const float* south = grid_->elevation_m.data() + static_cast<std::ptrdiff_t>(row) * grid_->cols + col;
   const float* north = south + grid_->cols;
   return {south[0], south[1], north[0], north[1]};
@@ -25,6 +28,12 @@ double RasterPyramid::height_at(const Vec2& uv) const {
   const double fv = uv.y() - row;
   const Cell z = cell(row, col);
   return (1.0 - fv) * ((1.0 - fu) * z.sw + fu * z.se) + fv * ((1.0 - fu) * z.nw + fu * z.ne);
+}
+
+inline double RasterPyramid::ground(const Cell& z, double fu, double fv) {
+  const double south = z.sw + fu * (z.se - z.sw);
+  const double north = z.nw + fu * (z.ne - z.nw);
+  return south + fv * (north - south);
 }
 
 /// One coordinate of a walk: when it leaves a block, and to which side.
@@ -89,27 +98,23 @@ double RasterPyramid::Piece::share_below() const {
 
 template <class Take>
 void RasterPyramid::walk_cells(const RasterSegment& segment, const Axis& u, const Axis& v,
-                               const Level& lowest, int row, int col, double t_in, double t_out,
-                               const Take& take) const {
-  const int first_col = col * lowest.cells;
-  const int first_row = row * lowest.cells;
-  const int last_col = std::min(first_col + lowest.cells, grid_->cols - 1) - 1;
-  const int last_row = std::min(first_row + lowest.cells, grid_->rows - 1) - 1;
+                               const Crossing& crossing, const Take& take) const {
+  const auto [row, col, t_in, t_out] = crossing;
+  const int first_col = col * kSide;
+  const int first_row = row * kSide;
+  const int last_col = std::min(first_col + kSide, grid_->cols - 1) - 1;
+  const int last_row = std::min(first_row + kSide, grid_->rows - 1) - 1;
   int c = std::clamp(static_cast<int>(u.at(t_in)), first_col, last_col);
   int r = std::clamp(static_cast<int>(v.at(t_in)), first_row, last_row);
   const double turn = -u.slope * v.slope;
-  double h_in = segment.z_m + segment.climb_m * t_in - height_at(Vec2(u.at(t_in), v.at(t_in)));
+  double h_in = segment.z_m + segment.climb_m * t_in - ground(cell(r, c), u.at(t_in) - c, v.at(t_in) - r);
   double t = t_in;
   while (c >= first_col && c <= last_col && r >= first_row && r <= last_row) {
     const double tu = u.exit(c, 1);
     const double tv = v.exit(r, 1);
     const double next = std::max(t, std::min(std::min(tu, tv), t_out));
     const Cell z = cell(r, c);
-    const double fu = u.at(next) - c;
-    const double fv = v.at(next) - r;
-    const double south = z.sw + fu * (z.se - z.sw);
-    const double north = z.nw + fu * (z.ne - z.nw);
-    const double h_out = segment.z_m + segment.climb_m * next - (south + fv * (north - south));
+    const double h_out = segment.z_m + segment.climb_m * next - ground(z, u.at(next) - c, v.at(next) - r);
     const double span = next - t;
     take(Piece{t, next, h_in, h_out, turn * span * span * (z.sw - z.se - z.nw + z.ne)});
     if (next >= t_out) return;
@@ -123,11 +128,31 @@ void RasterPyramid::walk_cells(const RasterSegment& segment, const Axis& u, cons
   }
 }
 
-template <class Skip, class Take>
-void RasterPyramid::walk(const RasterSegment& segment, double t0, double t1, const Skip& skip,
-                         const Take& take) const {
-  const Axis u(segment.start.x(), segment.step.x());
-  const Axis v(segment.start.y(), segment.step.y());
+template <class Enter>
+void RasterPyramid::walk_lowest(const RasterSegment& segment, const Axis& u, const Axis& v, double t0,
+                                double t1, const Enter& enter) const {
+  const Level& level = levels_.front();
+  int col = std::clamp(static_cast<int>(u.at(t0)), 0, grid_->cols - 2) / kSide;
+  int row = std::clamp(static_cast<int>(v.at(t0)), 0, grid_->rows - 2) / kSide;
+  double t = t0;
+  double z = segment.z_m + segment.climb_m * t;
+  while (col >= 0 && col < level.cols && row >= 0 && row < level.rows) {
+    const double tu = u.exit(col, kSide);
+    const double tv = v.exit(row, kSide);
+    const double t_out = std::max(t, std::min(std::min(tu, tv), t1));
+    const double z_out = segment.z_m + segment.climb_m * t_out;
+    enter(level.index(row, col), Crossing{row, col, t, t_out}, z, z_out);
+    if (t_out >= t1) return;
+    t = t_out;
+    z = z_out;
+    col += tu <= tv ? u.direction : 0;
+    row += tu <= tv ? 0 : v.direction;
+  }
+}
+
+template <class Skip, class Enter>
+void RasterPyramid::walk(const RasterSegment& segment, const Axis& u, const Axis& v, double t0, double t1,
+                         const Skip& skip, const Enter& enter) const {
   // Blocks much larger than the segment say little about it.
   const double reach = std::max(std::abs(u.slope), std::abs(v.slope)) * (t1 - t0);
   std::size_t tier = 0;
@@ -150,7 +175,7 @@ void RasterPyramid::walk(const RasterSegment& segment, double t0, double t1, con
         row = std::min(2 * row + (v.at(t) >= (2 * row + 1) * finer.cells ? 1 : 0), finer.rows - 1);
         continue;
       }
-      walk_cells(segment, u, v, level, row, col, t, t_out, take);
+      enter(level.index(row, col), Crossing{row, col, t, t_out}, z, z_out);
     }
     t = t_out;
     z = z_out;
@@ -166,17 +191,77 @@ void RasterPyramid::walk(const RasterSegment& segment, double t0, double t1, con
   }
 }
 
+/// The blocks that may hold the least height. The most promising is looked at first: its cells rule out most
+/// others.
+class RasterPyramid::Candidates {
+ public:
+  static constexpr std::size_t kMost = 32;
+
+  /// Kept only if `keep`: no branch for the processor to guess.
+  void offer(double bound, const Crossing& crossing, bool keep) {
+    blocks_[count_] = {bound, crossing};
+    count_ += keep ? 1 : 0;
+  }
+  bool full() const { return count_ == kMost; }
+
+  template <class LookAt>
+  double look_at_all(double best, const LookAt& look_at) {
+    if (count_ == 0) return best;
+    std::size_t lowest = 0;
+    for (std::size_t i = 1; i < count_; ++i) lowest = blocks_[i].bound < blocks_[lowest].bound ? i : lowest;
+    best = look_at(blocks_[lowest].crossing, best);
+    for (std::size_t i = 0; i < count_; ++i) {
+      if (i != lowest && blocks_[i].bound < best) best = look_at(blocks_[i].crossing, best);
+    }
+    count_ = 0;
+    return best;
+  }
+
+ private:
+  struct Block {
+    double bound;
+    Crossing crossing;
+  };
+  std::array<Block, kMost + 1> blocks_;
+  std::size_t count_ = 0;
+};
+
 double RasterPyramid::min_height_above(const RasterSegment& segment, double t0, double t1,
                                        double best) const {
-  const auto skip = [&](std::size_t index, double, double z_in, double, double z_out) {
-    return std::min(z_in, z_out) - static_cast<double>(max_[index]) >= best;
+  const Axis u(segment.start.x(), segment.step.x());
+  const Axis v(segment.start.y(), segment.step.y());
+  const auto look_at = [&](const Crossing& crossing, double least) {
+    walk_cells(segment, u, v, crossing, [&](const Piece& piece) { least = std::min(least, piece.least()); });
+    return least;
   };
-  walk(segment, t0, t1, skip, [&](const Piece& piece) { best = std::min(best, piece.least()); });
-  return best;
+  const auto bound = [&](std::size_t index, double z_in, double z_out) {
+    return std::min(z_in, z_out) - static_cast<double>(max_[index]);
+  };
+  Candidates candidates;
+  const double reach = std::max(std::abs(u.slope), std::abs(v.slope)) * (t1 - t0);
+  if (reach <= kShort) {
+    walk_lowest(segment, u, v, t0, t1,
+                [&](std::size_t index, const Crossing& crossing, double z_in, double z_out) {
+                  const double least = bound(index, z_in, z_out);
+                  candidates.offer(least, crossing, least < best && !candidates.full());
+                });
+    return candidates.look_at_all(best, look_at);
+  }
+  const auto skip = [&](std::size_t index, double, double z_in, double, double z_out) {
+    return bound(index, z_in, z_out) >= best;
+  };
+  walk(segment, u, v, t0, t1, skip,
+       [&](std::size_t index, const Crossing& crossing, double z_in, double z_out) {
+         candidates.offer(bound(index, z_in, z_out), crossing, true);
+         if (candidates.full()) best = candidates.look_at_all(best, look_at);
+       });
+  return candidates.look_at_all(best, look_at);
 }
 
 double RasterPyramid::share_below(const RasterSegment& segment, double t0, double t1) const {
   double share = 0.0;
+  const Axis u(segment.start.x(), segment.step.x());
+  const Axis v(segment.start.y(), segment.step.y());
   const auto skip = [&](std::size_t index, double t_in, double z_in, double t_out, double z_out) {
     if (std::min(z_in, z_out) > static_cast<double>(max_[index])) return true;
     if (!(std::max(z_in, z_out) < static_cast<double>(min_[index]))) return false;
@@ -187,7 +272,9 @@ double RasterPyramid::share_below(const RasterSegment& segment, double t0, doubl
     if (std::min(piece.h_in, piece.h_out) - std::max(piece.bend, 0.0) > 0.0) return;
     share += (piece.t_out - piece.t_in) * piece.share_below();
   };
-  walk(segment, t0, t1, skip, take);
+  walk(segment, u, v, t0, t1, skip, [&](std::size_t, const Crossing& crossing, double, double) {
+    walk_cells(segment, u, v, crossing, take);
+  });
   return share;
 }
 

@@ -21,6 +21,8 @@ struct RasterSegment {
 /// and segments are in grid coordinates and inside the raster. Borrows the grid.
 class RasterPyramid {
  public:
+  static constexpr int kSide = 4;  ///< cells along the side of a smallest block
+
   explicit RasterPyramid(const TerrainGrid& grid);
 
   double height_at(const Vec2& uv) const;
@@ -55,6 +57,12 @@ class RasterPyramid {
   struct Cell {
     double sw, se, nw, ne;
   };
+  /// The way through one smallest block.
+  struct Crossing {
+    int row, col;
+    double t_in, t_out;
+  };
+  class Candidates;
   struct Piece;
   struct Axis;
 
@@ -62,16 +70,24 @@ class RasterPyramid {
   void fill_lowest();
   void join_level(const Level& below, const Level& level);
   Cell cell(int row, int col) const;
+  static double ground(const Cell& cell, double fu, double fv);
   Block block_of_cell(int row, int col) const;
   Block block(std::size_t index) const { return {min_[index], max_[index], slope_[index]}; }
 
   /// Follows the segment from t0 to t1 over the largest blocks for which skip(block index, t_in, z_in, t_out,
-  /// z_out) holds; where it does not hold for the smallest, calls piece(Piece) for each cell, in order.
-  template <class Skip, class Take>
-  void walk(const RasterSegment& segment, double t0, double t1, const Skip& skip, const Take& take) const;
+  /// z_out) holds; where it does not hold for a smallest one, calls enter(block index, Crossing, z_in,
+  /// z_out).
+  template <class Skip, class Enter>
+  void walk(const RasterSegment& segment, const Axis& u, const Axis& v, double t0, double t1,
+            const Skip& skip, const Enter& enter) const;
+  /// The same over the smallest blocks only, skipping none.
+  template <class Enter>
+  void walk_lowest(const RasterSegment& segment, const Axis& u, const Axis& v, double t0, double t1,
+                   const Enter& enter) const;
+  /// Calls take(Piece) for each cell on the way through a smallest block, in order.
   template <class Take>
-  void walk_cells(const RasterSegment& segment, const Axis& u, const Axis& v, const Level& lowest, int row,
-                  int col, double t_in, double t_out, const Take& take) const;
+  void walk_cells(const RasterSegment& segment, const Axis& u, const Axis& v, const Crossing& crossing,
+                  const Take& take) const;
   template <class Visit>
   void visit(std::size_t level, int row, int col, const Vec2& lo, const Vec2& hi, Visit&& visit_block) const;
   template <class Visit>

@@ -10,7 +10,7 @@ namespace {
 using Row = Eigen::ArrayXf;
 using Samples = Eigen::Map<const Row>;
 
-constexpr int kSide = 4;
+constexpr int kSide = RasterPyramid::kSide;
 /// More than float arithmetic takes away from a slope: three roundings of differences and squares, halved by
 /// the root, and three of the scale, 2⁻²⁴ each.
 constexpr float kSlopeRoom = 1.0F + 5e-7F;
