@@ -54,7 +54,9 @@ Status check_ends(const Options& options, const Instance& instance) {
 }  // namespace
 
 Status validate(const Options& options, const Instance& instance) {
-  if (instance.vertex_count() > kMaxSolverVertices) {
+  const bool is_fixed = options.kind == TourKind::kOpen || options.start_vertex || options.end_vertex ||
+                        !options.fixed_prefix.empty();
+  if (instance.vertex_count() > kMaxSolverVertices && (is_fixed || !instance.is_complete())) {
     return bad_input("The instance has " + std::to_string(instance.vertex_count()) +
                      " vertices; the search takes at most " + std::to_string(kMaxSolverVertices) + ".");
   }

@@ -51,6 +51,15 @@ Anchor make_anchor(const Instance& instance, const Options& options) {
   return anchor;
 }
 
+double arc_cost(const Instance& instance, const Anchor& anchor, int from, int to) {
+  const int n = instance.vertex_count();
+  const int source = from == n ? anchor.out_vertex : from;
+  const int target = to == n ? anchor.in_vertex : to;
+  if (source == Anchor::kFree || target == Anchor::kFree) return from == to ? kNoArc : 0.0;
+  const bool is_inside = from != n && to != n && instance.cluster_of(from) == instance.cluster_of(to);
+  return from == to || is_inside ? kNoArc : instance.cost(source, target);
+}
+
 std::vector<int> expanded(const Anchor& anchor, const std::vector<int>& rest) {
   std::vector<int> tour = anchor.lead;
   tour.insert(tour.end(), rest.begin(), rest.end());

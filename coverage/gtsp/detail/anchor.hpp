@@ -56,4 +56,7 @@ void for_each_arc(const Instance& instance, const Anchor& anchor, int from, Visi
   if (anchor.is_used && anchor.in_vertex == Anchor::kFree && from != n) visit(n, 0.0);
 }
 
+/// Cost of one such arc, kNoArc when there is none.
+double arc_cost(const Instance& instance, const Anchor& anchor, int from, int to);
+
 }  // namespace swallowtail::gtsp::detail

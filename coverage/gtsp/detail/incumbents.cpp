@@ -14,15 +14,16 @@ double cost_of(const Instance& instance, const std::vector<int>& tour, TourKind 
 
 }  // namespace
 
-Found found_from(const Instance& instance, const Anchor& anchor, const Reduced& reduced,
-                 const std::vector<int>& order, TourKind kind) {
-  std::vector<int> rest = order;
-  const auto at_anchor = std::find(rest.begin(), rest.end(), reduced.anchor());
+Found found_from(const Instance& instance, const Anchor& anchor, const std::vector<int>& order,
+                 const std::function<int(int)>& original, TourKind kind) {
+  std::vector<int> rest;
+  rest.reserve(order.size());
+  for (const int v : order) rest.push_back(original(v));
+  const auto at_anchor = std::find(rest.begin(), rest.end(), instance.vertex_count());
   if (at_anchor != rest.end()) {
     std::rotate(rest.begin(), at_anchor, rest.end());
     rest.erase(rest.begin());
   }
-  for (int& v : rest) v = reduced.original(v);
   Found found{expanded(anchor, rest), 0.0};
   found.cost = cost_of(instance, found.tour, kind);
   return found;

@@ -1,10 +1,10 @@
 #pragma once
 
+#include <functional>
 #include <mutex>
 #include <vector>
 
 #include "coverage/gtsp/detail/anchor.hpp"
-#include "coverage/gtsp/detail/work_tour.hpp"
 
 namespace swallowtail::gtsp::detail {
 
@@ -14,10 +14,11 @@ struct Found {
   double cost = kNoArc;
 };
 
-/// The instance's tour that a closed tour of the reduced one stands for, its cost summed over the instance;
-/// kNoArc if arcs are missing.
-Found found_from(const Instance& instance, const Anchor& anchor, const Reduced& reduced,
-                 const std::vector<int>& order, TourKind kind);
+/// The instance's tour that a closed tour of the folded one stands for, its cost summed over the instance;
+/// kNoArc if arcs are missing. original(v): the instance's vertex of one of `order`, its vertex count for the
+/// anchor.
+Found found_from(const Instance& instance, const Anchor& anchor, const std::vector<int>& order,
+                 const std::function<int(int)>& original, TourKind kind);
 
 /// The best over all threads as the run goes on: the history and the caller's callback.
 class Incumbents {

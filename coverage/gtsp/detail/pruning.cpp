@@ -153,6 +153,16 @@ class Pruner {
 
 }  // namespace
 
+Pruning all_alive(const Instance& instance, const Anchor& anchor) {
+  Pruning all;
+  for (int v = 0; v < instance.vertex_count(); ++v) {
+    all.is_alive.push_back(anchor.fixed_cluster[static_cast<std::size_t>(instance.cluster_of(v))] == 0 ? 1
+                                                                                                       : 0);
+  }
+  all.is_alive.push_back(anchor.is_used ? 1 : 0);
+  return all;
+}
+
 Pruning prune(const Instance& instance, const Anchor& anchor) { return Pruner(instance, anchor).run(); }
 
 }  // namespace swallowtail::gtsp::detail

@@ -18,4 +18,7 @@ struct Pruning {
 /// must be left to visit. O(arcs).
 Pruning prune(const Instance& instance, const Anchor& anchor);
 
+/// Nothing dropped but what is fixed.
+Pruning all_alive(const Instance& instance, const Anchor& anchor);
+
 }  // namespace swallowtail::gtsp::detail

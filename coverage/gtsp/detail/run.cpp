@@ -10,6 +10,7 @@ namespace {
 
 constexpr std::uint64_t kIterationsBetweenClocks = 16;
 constexpr int kFewClusters = 60;
+constexpr int kMostProvedFirst = 24;
 constexpr int kExtraTrials = 2;
 
 }  // namespace
@@ -17,11 +18,23 @@ constexpr int kExtraTrials = 2;
 Effort effort_of(Mode mode) {
   switch (mode) {
     case Mode::kFast:
-      return {.trials = 1, .warm_trials = 1, .iterations_per_cluster = 300.0, .exact_work = 5e7};
+      return {.trials = 1,
+              .warm_trials = 1,
+              .iterations_per_cluster = 300.0,
+              .exact_work = 5e7,
+              .kicks_per_cluster = 300.0};
     case Mode::kDefault:
-      return {.trials = 3, .warm_trials = 2, .iterations_per_cluster = 2000.0, .exact_work = 5e8};
+      return {.trials = 3,
+              .warm_trials = 2,
+              .iterations_per_cluster = 2000.0,
+              .exact_work = 5e8,
+              .kicks_per_cluster = 1500.0};
     case Mode::kSlow:
-      return {.trials = 8, .warm_trials = 4, .iterations_per_cluster = 10000.0, .exact_work = 4e9};
+      return {.trials = 8,
+              .warm_trials = 4,
+              .iterations_per_cluster = 10000.0,
+              .exact_work = 4e9,
+              .kicks_per_cluster = 12700.0};
   }
   return {};
 }
@@ -36,10 +49,14 @@ Run::Run(const Instance& instance, const Options& options, const Effort& effort)
       proved_trial_(std::numeric_limits<int>::max()) {}
 
 Solution Run::solve() {
-  if (finish_trivial() || finish_unreachable()) return std::move(solution_);
-  outcomes_.resize(static_cast<std::size_t>(trial_count()));
-  if (!finish_exact()) search();
+  if (finish_trivial()) return std::move(solution_);
+  if (is_proof_first() && (finish_unreachable() || finish_exact())) return std::move(solution_);
+  if (!search_by_chains() && (reduced_ || !finish_unreachable())) search_by_trials();
   return std::move(solution_);
+}
+
+bool Run::is_proof_first() const {
+  return instance_.is_sparse() || instance_.cluster_count() <= kMostProvedFirst;
 }
 
 void Run::finish(const Found& best, SolveStatus status, std::string reason) {
@@ -106,9 +123,8 @@ WorkTour Run::start_of(Trial& trial, int /*index*/, const Trial::Report& report)
   return std::move(*warm);
 }
 
-void Run::consider(const WorkTour& tour, std::uint64_t iteration, int index, Outcome& outcome) {
-  if (tour.score.missing > 0) return;
-  Found found = found_from(instance_, anchor_, *reduced_, tour.order, options_.kind);
+void Run::consider(Found found, std::uint64_t iteration, int index) {
+  Outcome& outcome = outcomes_[static_cast<std::size_t>(index)];
   if (!(found.cost < outcome.best.cost)) return;
   incumbents_.offer(found, iteration);
   outcome.best = std::move(found);
@@ -135,7 +151,9 @@ void Run::run_trial(int index, Outcome& outcome) {
   const TrialParams params = params_of(index);
   const double begin_s = options_.stop.clock != nullptr ? options_.stop.clock->now_s() : 0.0;
   const Trial::Report report = [&](const WorkTour& tour, std::uint64_t iteration) {
-    consider(tour, iteration, index, outcome);
+    if (tour.score.missing > 0) return;
+    const auto original = [this](int v) { return reduced_->original(v); };
+    consider(found_from(instance_, anchor_, tour.order, original, options_.kind), iteration, index);
   };
   double last = 0.0;
   const Trial::Progress progress_at = [&](std::uint64_t iteration) {
@@ -149,7 +167,8 @@ void Run::run_trial(int index, Outcome& outcome) {
   outcome.iterations = trial.iterations();
 }
 
-void Run::search() {
+void Run::search_by_trials() {
+  outcomes_.resize(static_cast<std::size_t>(trial_count()));
   std::atomic<int> next{0};
   const auto work = [&] {
     for (int index = next++; index < trial_count(); index = next++) {

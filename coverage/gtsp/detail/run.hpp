@@ -10,6 +10,7 @@
 #include "coverage/gtsp/detail/incumbents.hpp"
 #include "coverage/gtsp/detail/reduced.hpp"
 #include "coverage/gtsp/detail/trial.hpp"
+#include "coverage/gtsp/search/problem.hpp"
 
 namespace swallowtail::gtsp::detail {
 
@@ -19,6 +20,7 @@ struct Effort {
   int warm_trials = 1;
   double iterations_per_cluster = 0.0;  ///< of each trial
   double exact_work = 0.0;              ///< see solve_exactly
+  double kicks_per_cluster = 0.0;       ///< of the chains together; 0: trials do all the searching
 };
 Effort effort_of(Mode mode);
 
@@ -41,13 +43,17 @@ class Run {
   void finish_infeasible(std::string reason);
   std::string cluster_name(int reduced_cluster) const;
 
-  void search();
+  /// Whether what can be proved is worth its time before the search.
+  bool is_proof_first() const;
+  /// False when this search is not for the instance: arcs are missing, or clusters are few.
+  bool search_by_chains();
+  void search_by_trials();
   void run_trial(int index, Outcome& outcome);
   WorkTour start_of(Trial& trial, int index, const Trial::Report& report) const;
   std::optional<WorkTour> warm_start() const;
   TrialParams params_of(int index) const;
   int trial_count() const;
-  void consider(const WorkTour& tour, std::uint64_t iteration, int index, Outcome& outcome);
+  void consider(Found found, std::uint64_t iteration, int index);
   double progress(int index, std::uint64_t iteration, std::uint64_t most, double begin_s) const;
   void conclude();
   bool is_proved(double cost) const { return cost <= solution_.lower_bound + rounding_; }

@@ -6,20 +6,6 @@
 #include "coverage/gtsp/detail/run.hpp"
 
 namespace swallowtail::gtsp::detail {
-namespace {
-
-Pruning all_alive(const Instance& instance, const Anchor& anchor) {
-  Pruning all;
-  for (int v = 0; v < instance.vertex_count(); ++v) {
-    all.is_alive.push_back(anchor.fixed_cluster[static_cast<std::size_t>(instance.cluster_of(v))] == 0 ? 1
-                                                                                                       : 0);
-  }
-  all.is_alive.push_back(anchor.is_used ? 1 : 0);
-  return all;
-}
-
-}  // namespace
-
 /// Tours in which nothing is left to choose.
 bool Run::finish_trivial() {
   if (std::isinf(anchor_.inner_cost)) {
@@ -77,8 +63,10 @@ bool Run::finish_exact() {
     return true;
   }
   if (answer.kind != ExactAnswer::Kind::kSolved) return false;
-  finish(found_from(instance_, anchor_, *reduced_, answer.order, options_.kind), SolveStatus::kOptimal,
-         "Dynamic programming over all subsets of clusters.");
+  finish(
+      found_from(
+          instance_, anchor_, answer.order, [this](int v) { return reduced_->original(v); }, options_.kind),
+      SolveStatus::kOptimal, "Dynamic programming over all subsets of clusters.");
   return true;
 }
 

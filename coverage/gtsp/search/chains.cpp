@@ -1,0 +1,149 @@
+#include "coverage/gtsp/search/chains.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <thread>
+
+#include "coverage/gtsp/search/annealer.hpp"
+
+namespace swallowtail::gtsp::search {
+namespace {
+
+constexpr int kNear = 10;
+constexpr double kHot = 0.5;
+constexpr double kCold = 0.03;
+constexpr double kWarmHot = 0.1;
+/// Up to so many clusters the second chain begins each round anew.
+constexpr int kMostRestarted = 400;
+
+struct Chain {
+  std::vector<int> tour;
+  Cost cost = std::numeric_limits<Cost>::max();
+  std::uint64_t kicks = 0;
+  std::uint64_t share = 0;  ///< of this round's kicks
+  double end_s = 0.0;       ///< of its share of the time, with a deadline
+};
+
+class Rounds {
+ public:
+  Rounds(const Problem& problem, const ChainSetup& setup, const ChainReport& report)
+      : problem_(problem), setup_(setup), report_(report), rng_(setup.seed) {
+    if (!problem.points().empty()) tree_.emplace(problem);
+    for (int i = 0; i < kChains; ++i) candidates_.emplace_back(problem, tree_ ? &*tree_ : nullptr, kNear);
+  }
+
+  std::uint64_t run() {
+    std::uint64_t left = setup_.kicks;
+    std::uint64_t most = std::max<std::uint64_t>(1, setup_.first_kicks);
+    for (int round = 0; round == 0 || (left > 0 && !setup_.stop.reached(0, 0)); ++round, most *= 2) {
+      prepare(round, left, most);
+      run_round(round);
+      for (const Chain& chain : chains_) left -= chain.share;
+    }
+    std::uint64_t kicks = 0;
+    for (const Chain& chain : chains_) kicks += chain.kicks;
+    return kicks;
+  }
+
+ private:
+  static std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+  void prepare(int round, std::uint64_t left, std::uint64_t most) {
+    const bool is_restarted = setup_.start.empty() && problem_.cluster_count() <= kMostRestarted;
+    if (chains_[1].cost < chains_[0].cost) {
+      std::swap(chains_[0].tour, chains_[1].tour);
+      std::swap(chains_[0].cost, chains_[1].cost);
+    }
+    for (int i = 0; i < kChains; ++i) {
+      Chain& chain = chains_[at(i)];
+      chain.share = std::min(most, i == 0 ? left - left / 2 : left / 2);
+      if (round == 0 && !setup_.start.empty()) chain.tour = setup_.start;
+      if (chain.tour.empty() || (i > 0 && is_restarted)) chain.tour = new_tour(chain_rng(round, i).split(1));
+    }
+  }
+
+  Rng chain_rng(int round, int chain) const {
+    return rng_.split(static_cast<std::uint64_t>(round) * kChains + static_cast<std::uint64_t>(chain));
+  }
+
+  /// Along the tree over the points, or else in random order: local search does not need more.
+  std::vector<int> new_tour(Rng rng) const {
+    const int m = problem_.cluster_count();
+    std::vector<int> tour;
+    if (tree_) {
+      std::vector<char> is_in(at(m), 0);
+      for (const int v : tree_->order()) {
+        if (std::exchange(is_in[at(problem_.cluster_of(v))], 1) == 0) tour.push_back(v);
+      }
+      return tour;
+    }
+    for (int c = 0; c < m; ++c) {
+      const auto size = static_cast<std::uint64_t>(problem_.cluster_size(c));
+      tour.push_back(problem_.first(c) + static_cast<int>(rng.below(size)));
+    }
+    for (std::size_t i = tour.size(); i > 1; --i)
+      std::swap(tour[i - 1], tour[static_cast<std::size_t>(rng.below(i))]);
+    return tour;
+  }
+
+  void run_round(int round) {
+    const double begin_s = now_s();
+    const bool is_timed = setup_.stop.clock != nullptr && std::isfinite(setup_.stop.deadline_s);
+    const auto run_one = [&](int i) {
+      if (round > 0 && chains_[at(i)].share == 0) return;
+      problem_.with_costs([&](const auto& costs) { run_chain(round, i, costs); });
+    };
+    const bool is_parallel = setup_.threads > 1;
+    chains_[0].end_s =
+        is_timed && !is_parallel ? (begin_s + setup_.stop.deadline_s) / 2.0 : setup_.stop.deadline_s;
+    chains_[1].end_s = setup_.stop.deadline_s;
+    if (is_parallel) {
+      const std::jthread other([&] { run_one(1); });
+      run_one(0);
+    } else {
+      run_one(0);
+      if (!setup_.stop.reached(0, 0)) run_one(1);
+    }
+  }
+
+  double now_s() const { return setup_.stop.clock != nullptr ? setup_.stop.clock->now_s() : 0.0; }
+
+  template <class Costs>
+  void run_chain(int round, int index, const Costs& costs) {
+    Chain& chain = chains_[at(index)];
+    const double begin_s = now_s();
+    const auto progress = [&](std::uint64_t kicks) {
+      if (setup_.stop.reached(0, 0)) return 1.0;
+      const double by_work =
+          static_cast<double>(kicks) / static_cast<double>(std::max<std::uint64_t>(1, chain.share));
+      if (setup_.stop.clock == nullptr || std::isinf(chain.end_s)) return by_work;
+      return std::max(by_work, (now_s() - begin_s) / (chain.end_s - begin_s));
+    };
+    Annealer<Costs> annealer(problem_, candidates_[at(index)], costs, chain_rng(round, index));
+    const Schedule schedule{chain.share, setup_.start.empty() ? kHot : kWarmHot, kCold};
+    chain.kicks += annealer.run(chain.tour, schedule, progress,
+                                [&](const std::vector<int>& tour, Cost cost, std::uint64_t kicks) {
+                                  chain.cost = cost;
+                                  report_(index, tour, kicks);
+                                });
+  }
+
+  const Problem& problem_;
+  const ChainSetup& setup_;
+  const ChainReport& report_;
+  Rng rng_;
+  std::optional<PointTree> tree_;
+  std::vector<Candidates> candidates_;
+  std::array<Chain, kChains> chains_;
+};
+
+}  // namespace
+
+std::uint64_t run_chains(const Problem& problem, const ChainSetup& setup, const ChainReport& report) {
+  return Rounds(problem, setup, report).run();
+}
+
+}  // namespace swallowtail::gtsp::search

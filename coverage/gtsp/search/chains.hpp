@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "coverage/gtsp/search/problem.hpp"
+#include "planner/base/stop.hpp"
+
+namespace swallowtail::gtsp::search {
+
+/// Chains of annealing that run side by side, on as many threads as are given: the result is the same
+/// whatever their number, as long as no clock ends it.
+inline constexpr int kChains = 2;
+
+struct ChainSetup {
+  std::uint64_t seed = 1;
+  int threads = 1;
+  std::uint64_t kicks = 0;        ///< of all chains and rounds together
+  std::uint64_t first_kicks = 0;  ///< of each chain in the first round; twice as many in each further one
+  StopCondition stop = {};
+  std::vector<int> start = {};  ///< a tour of all clusters to begin from; empty: from nothing
+};
+
+/// Given a chain, its best tour so far and the kicks it took in this round; called from the chain's thread.
+using ChainReport = std::function<void(int, const std::vector<int>&, std::uint64_t)>;
+
+/// Minimises tours of the problem, which has at least kLeastClusters clusters. Rounds of annealing, each
+/// twice as long as the one before, so that an easy instance is solved at once and a hard one gets most of
+/// the work in one long run [LUBY-SINCLAIR-ZUCKERMAN]: the first chain goes on from the best tour, the other
+/// from its own or, where tours are short, from a new one. Returns the kicks.
+std::uint64_t run_chains(const Problem& problem, const ChainSetup& setup, const ChainReport& report);
+
+inline constexpr int kLeastClusters = 8;
+
+}  // namespace swallowtail::gtsp::search

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+#include "coverage/gtsp/detail/metric.hpp"
+
+namespace swallowtail::gtsp::search {
+
+/// Costs of tours while they are searched: integers, so that sums are exact and in any order the same.
+using Cost = std::int64_t;
+
+/// A missing arc counts as much as no sum of arcs does: tours compare by missing arcs first, then by cost.
+inline constexpr Cost kMissingArc = Cost{1} << 44;
+inline constexpr std::int32_t kNoWeight = std::numeric_limits<std::int32_t>::max();
+
+/// Costs from a full matrix of 32-bit weights, row = from; kNoWeight = no arc.
+class MatrixCosts {
+ public:
+  MatrixCosts(const std::int32_t* weights, int n) : weights_(weights), n_(static_cast<std::size_t>(n)) {}
+  Cost operator()(int from, int to) const {
+    const std::int32_t w = weights_[static_cast<std::size_t>(from) * n_ + static_cast<std::size_t>(to)];
+    return w == kNoWeight ? kMissingArc : w;
+  }
+
+ private:
+  const std::int32_t* weights_;
+  std::size_t n_;
+};
+
+/// Costs computed from coordinates. The metric is a template argument so that none is chosen per arc.
+template <Metric kMetric>
+class PointCosts {
+ public:
+  explicit PointCosts(const Point* points) : points_(points) {}
+  Cost operator()(int from, int to) const {
+    return static_cast<Cost>(detail::distance(points_[from], points_[to], kMetric));
+  }
+
+ private:
+  const Point* points_;
+};
+
+}  // namespace swallowtail::gtsp::search
