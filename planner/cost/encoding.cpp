@@ -19,6 +19,12 @@ Eigen::Matrix3d frame_along(const Vec3& line) {
   return frame;
 }
 
+/// The level part of a direction; east where it has none.
+Vec3 level(const Vec3& direction) {
+  const Vec3 flat(direction.x(), direction.y(), 0.0);
+  return flat == Vec3::Zero() ? Vec3(Vec3::UnitX()) : flat;
+}
+
 }  // namespace
 
 Result<Encoding> Encoding::make(EncodingKind kind, std::shared_ptr<const CostScene> scene, int waypoints,
@@ -36,11 +42,8 @@ Result<Encoding> Encoding::make(EncodingKind kind, std::shared_ptr<const CostSce
       encoding.size_box();
       break;
     case EncodingKind::kAboveGround:
-      encoding.size_box();
-      for (Eigen::Index z = 2; z < encoding.dimension(); z += 3) {
-        encoding.lower_[z] = band.min_m;
-        encoding.upper_[z] = band.max_m;
-      }
+      encoding.frame_ = frame_along(level(encoding.scene_->goal_m - encoding.start_m_));
+      encoding.size_above_ground(band);
       break;
     case EncodingKind::kPlanes:
       encoding.size_planes();
@@ -65,6 +68,13 @@ void Encoding::size_box() {
   const Vec3 upper = bounds_.max_m.cwiseMin(start_m_.cwiseMax(scene_->goal_m) + room);
   lower_ = lower.replicate(waypoints_, 1);
   upper_ = upper.replicate(waypoints_, 1);
+}
+
+void Encoding::size_above_ground(const Band& band) {
+  constexpr double kBeyond = 0.25;
+  constexpr double kAside = 0.75;
+  lower_ = Vec3(-kBeyond * distance_m_, -kAside * distance_m_, band.min_m).replicate(waypoints_, 1);
+  upper_ = Vec3((1.0 + kBeyond) * distance_m_, kAside * distance_m_, band.max_m).replicate(waypoints_, 1);
 }
 
 /// The bounds as seen along start–goal, at most D to each side.
@@ -120,7 +130,9 @@ std::optional<swarm::WaypointLayout> Encoding::layout() const {
 }
 
 Vec3 Encoding::above_ground(const Vec3& p) const {
-  return {p.x(), p.y(), p.z() - scene_->nearest_ground_m(p.x(), p.y())};
+  Vec3 local = frame_.transpose() * (p - start_m_);
+  local.z() = p.z() - scene_->nearest_ground_m(p.x(), p.y());
+  return local;
 }
 
 Vec3 Encoding::waypoint(const double* candidate, int index) const {
@@ -132,8 +144,12 @@ Vec3 Encoding::waypoint(const double* candidate, int index) const {
   } else {
     const double* v = candidate + 3 * index;
     p = Vec3(v[0], v[1], v[2]);
-    if (kind_ == EncodingKind::kAboveGround) p.z() += scene_->nearest_ground_m(p.x(), p.y());
     if (kind_ == EncodingKind::kFrame) p = start_m_ + frame_ * (distance_m_ * p);
+  }
+  if (kind_ == EncodingKind::kAboveGround) {
+    Vec3 q = start_m_ + frame_ * Vec3(p.x(), p.y(), 0.0);
+    q = q.cwiseMax(bounds_.min_m).cwiseMin(bounds_.max_m);
+    p = Vec3(q.x(), q.y(), p.z() + scene_->nearest_ground_m(q.x(), q.y()));
   }
   return p.cwiseMax(bounds_.min_m).cwiseMin(bounds_.max_m);
 }

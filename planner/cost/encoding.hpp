@@ -19,7 +19,9 @@ enum class EncodingKind : std::uint8_t {
   /// the
   /// ends than start and goal from each other: what [BOA] and [PSO] publish.
   kBox,
-  /// The same with z above the ground at the nearest raster sample, within a band [SPSO].
+  /// Metres along and across the level line from start to goal, and above the ground at the nearest raster
+  /// sample,
+  /// within a band: for costs that count heights from the ground [SPSO].
   kAboveGround,
   /// Waypoint i lies on the i-th of k equally spaced planes across start–goal; two variables each, metres
   /// along
@@ -62,6 +64,7 @@ class Encoding {
 
  private:
   Encoding() = default;
+  void size_above_ground(const Band& band);
   Vec3 above_ground(const Vec3& p) const;
   void size_box();
   void size_planes();

@@ -17,6 +17,8 @@ PathBatch& thread_batch() {
 }  // namespace
 
 struct PathProblem::Impl {
+  std::shared_ptr<const CostScene> scene;
+  PathProblemSpec spec;
   Encoding encoding;
   Preset preset;
   bool step_grows = false;
@@ -83,20 +85,30 @@ Result<PathProblem> PathProblem::make(std::shared_ptr<const World> world, const 
   if ((spec.goal_m - spec.start_m).norm() <= kSamePlace_m) {
     return bad_input("The start and the goal are one place; a path between them is no problem.");
   }
+  return make(std::make_shared<const CostScene>(std::move(world), spec.limits, spec.start_m, spec.goal_m),
+              spec);
+}
+
+Result<PathProblem> PathProblem::make(const std::shared_ptr<const CostScene>& scene,
+                                      const PathProblemSpec& spec) {
   if (spec.waypoints < 1 || spec.waypoints > 64) {
     return bad_input("The number of waypoints is " + std::to_string(spec.waypoints) +
                      "; it must be 1 to 64.");
   }
-  const auto scene =
-      std::make_shared<const CostScene>(std::move(world), spec.limits, spec.start_m, spec.goal_m);
   Result<Preset> preset = make_preset(spec.cost, scene, spec.waypoints);
   if (!preset) return preset.error();
   Result<Encoding> encoding =
       Encoding::make(spec.encoding.value_or(preset->encoding), scene, spec.waypoints, preset->altitude);
   if (!encoding) return encoding.error();
   const bool steps = spec.cost.step_grows && preset->name == "BOA";
-  return PathProblem(
-      std::make_shared<Impl>(Impl{std::move(*encoding), std::move(*preset), steps, spec.cost.step_end}));
+  return PathProblem(std::make_shared<Impl>(
+      Impl{scene, spec, std::move(*encoding), std::move(*preset), steps, spec.cost.step_end}));
+}
+
+Result<PathProblem> PathProblem::with_waypoints(int waypoints) const {
+  PathProblemSpec spec = impl_->spec;
+  spec.waypoints = waypoints;
+  return make(impl_->scene, spec);
 }
 
 int PathProblem::waypoints() const { return impl_->encoding.waypoints(); }

@@ -54,6 +54,8 @@ class PathProblem {
   /// Errors: no world, limits that do not validate, ends that are not finite or one place, 1 to 64 waypoints,
   /// an unknown preset or objective, a weight that is negative or not finite, a box without room.
   static Result<PathProblem> make(std::shared_ptr<const World> world, const PathProblemSpec& spec);
+  /// The same with another number of waypoints; shares the scene.
+  Result<PathProblem> with_waypoints(int waypoints) const;
   ~PathProblem();
   PathProblem(PathProblem&&) noexcept;
   PathProblem& operator=(PathProblem&&) noexcept;
@@ -79,6 +81,7 @@ class PathProblem {
 
  private:
   struct Impl;
+  static Result<PathProblem> make(const std::shared_ptr<const CostScene>& scene, const PathProblemSpec& spec);
   explicit PathProblem(std::shared_ptr<Impl> impl);
 
   std::shared_ptr<Impl> impl_;
