@@ -10,8 +10,8 @@ namespace {
 
 constexpr double kInf = std::numeric_limits<double>::infinity();
 constexpr int kSide = RasterPyramid::kSide;
-/// Segments of up to so many cells along an axis are followed over the smallest blocks only.
-constexpr double kShort = 48.0;
+/// Segments are followed over blocks of which they cross at most so many along an axis.
+constexpr int kMostBlocks = 40;
 
 }  // namespace
 
@@ -36,32 +36,68 @@ inline double RasterPyramid::ground(const Cell& z, double fu, double fv) {
   return south + fv * (north - south);
 }
 
-/// One coordinate of a walk: when it leaves a block, and to which side.
-struct RasterPyramid::Axis {
-  Axis(double from, double step)
-      : start(from),
-        slope(step),
-        stands(std::abs(step) < kStill),
-        inverse(stands ? 0.0 : 1.0 / step),
-        never(stands ? kInf : 0.0),
-        direction(step < 0.0 ? -1 : 1),
-        far_side(step < 0.0 ? 0 : 1) {}
+/// A segment on its way over the raster, by axis: column, row.
+struct RasterPyramid::Way {
+  explicit Way(const RasterSegment& segment)
+      : start{segment.start.x(), segment.start.y()},
+        step{segment.step.x(), segment.step.y()},
+        z_m(segment.z_m),
+        climb_m(segment.climb_m) {
+    for (int axis = 0; axis < 2; ++axis) inverse[axis] = stands(axis) ? 0.0 : 1.0 / step[axis];
+  }
 
-  double at(double t) const { return start + slope * t; }
-  /// When the walk leaves block `index` of that many cells.
-  double exit(int index, int cells) const { return ((index + far_side) * cells - start) * inverse + never; }
-  /// Whether block `index`, just entered, is the first of its parent on the way.
-  bool enters_parent(int index) const { return (index & 1) != far_side; }
+  double at(int axis, double t) const { return start[axis] + step[axis] * t; }
+  double height(double t) const { return z_m + climb_m * t; }
+  /// An inverse would overflow: nothing is crossed.
+  bool stands(int axis) const { return std::abs(step[axis]) < 1e-200; }
 
-  static constexpr double kStill = 1e-200;  ///< its inverse would overflow
-  double start;
-  double slope;
-  bool stands;
-  double inverse;
-  double never;
-  int direction;
-  int far_side;
+  /// Squares of `cells` × `cells`, counts[0] in a row, counts[1] rows: calls enter(index, place, t_in, t_out)
+  /// for each one between t0 and t1, in order; place: column and row in squares.
+  template <class Enter>
+  void march(int cells, const int (&counts)[2], double t0, double t1, const Enter& enter) const;
+
+  double start[2], step[2], inverse[2];
+  double z_m, climb_m;
 };
+
+template <class Enter>
+void RasterPyramid::Way::march(int cells, const int (&counts)[2], double t0, double t1,
+                               const Enter& enter) const {
+  int place[2], direction[2], left[2];
+  double next[2], interval[2];
+  for (int axis = 0; axis < 2; ++axis) {
+    const auto square = [&](double t) {
+      return std::clamp(static_cast<int>(at(axis, t) / cells), 0, counts[axis] - 1);
+    };
+    place[axis] = square(t0);
+    const int end = stands(axis) ? place[axis] : square(t1);
+    direction[axis] = end < place[axis] ? -1 : 1;
+    left[axis] = std::abs(end - place[axis]);
+    const int line = (place[axis] + (direction[axis] > 0 ? 1 : 0)) * cells;
+    next[axis] = left[axis] > 0 ? (line - start[axis]) * inverse[axis] : kInf;
+    interval[axis] = cells * std::abs(inverse[axis]);
+  }
+  const int stride[2] = {direction[0], direction[1] * counts[0]};
+  int index = place[1] * counts[0] + place[0];
+  double t = t0;
+  const auto cross = [&](int axis) {
+    const double t_out = std::max(t, std::min(next[axis], t1));
+    enter(index, place, t, t_out);
+    t = t_out;
+    index += stride[axis];
+    place[axis] += direction[axis];
+    left[axis] -= 1;
+    next[axis] = left[axis] > 0 ? next[axis] + interval[axis] : kInf;
+  };
+  for (int steps = left[0] + left[1]; steps > 0; --steps) {
+    if (next[1] < next[0]) {
+      cross(1);
+    } else {
+      cross(0);
+    }
+  }
+  enter(index, place, t, t1);
+}
 
 /// Height above ground along the way through one cell: h_in at t_in, h_out at t_out, between them the chord
 /// and a parabola: h(s) = h_in + s·(h_out − h_in) − bend·s·(1 − s), s from 0 to 1.
@@ -97,185 +133,106 @@ double RasterPyramid::Piece::share_below() const {
 }
 
 template <class Take>
-void RasterPyramid::walk_cells(const RasterSegment& segment, const Axis& u, const Axis& v,
-                               const Crossing& crossing, const Take& take) const {
-  const auto [row, col, t_in, t_out] = crossing;
-  const int first_col = col * kSide;
-  const int first_row = row * kSide;
-  const int last_col = std::min(first_col + kSide, grid_->cols - 1) - 1;
-  const int last_row = std::min(first_row + kSide, grid_->rows - 1) - 1;
-  int c = std::clamp(static_cast<int>(u.at(t_in)), first_col, last_col);
-  int r = std::clamp(static_cast<int>(v.at(t_in)), first_row, last_row);
-  const double turn = -u.slope * v.slope;
-  double h_in = segment.z_m + segment.climb_m * t_in - ground(cell(r, c), u.at(t_in) - c, v.at(t_in) - r);
-  double t = t_in;
-  while (c >= first_col && c <= last_col && r >= first_row && r <= last_row) {
-    const double tu = u.exit(c, 1);
-    const double tv = v.exit(r, 1);
-    const double next = std::max(t, std::min(std::min(tu, tv), t_out));
-    const Cell z = cell(r, c);
-    const double h_out = segment.z_m + segment.climb_m * next - ground(z, u.at(next) - c, v.at(next) - r);
-    const double span = next - t;
-    take(Piece{t, next, h_in, h_out, turn * span * span * (z.sw - z.se - z.nw + z.ne)});
-    if (next >= t_out) return;
+void RasterPyramid::walk_cells(const Way& way, double t0, double t1, const Take& take) const {
+  const double turn = -way.step[0] * way.step[1];
+  const int counts[2] = {grid_->cols - 1, grid_->rows - 1};
+  bool entered = false;
+  double h_in = 0.0;
+  way.march(1, counts, t0, t1, [&](int, const int(&place)[2], double t_in, double t_out) {
+    const Cell z = cell(place[1], place[0]);
+    const auto height = [&](double t) {
+      return way.height(t) - ground(z, way.at(0, t) - place[0], way.at(1, t) - place[1]);
+    };
+    if (!entered) h_in = height(t_in);
+    entered = true;
+    const double h_out = height(t_out);
+    const double span = t_out - t_in;
+    take(Piece{t_in, t_out, h_in, h_out, turn * span * span * (z.sw - z.se - z.nw + z.ne)});
     h_in = h_out;
-    t = next;
-    if (tu <= tv) {
-      c += u.direction;
-    } else {
-      r += v.direction;
-    }
-  }
+  });
 }
 
 template <class Enter>
-void RasterPyramid::walk_lowest(const RasterSegment& segment, const Axis& u, const Axis& v, double t0,
-                                double t1, const Enter& enter) const {
-  const Level& level = levels_.front();
-  int col = std::clamp(static_cast<int>(u.at(t0)), 0, grid_->cols - 2) / kSide;
-  int row = std::clamp(static_cast<int>(v.at(t0)), 0, grid_->rows - 2) / kSide;
-  double t = t0;
-  double z = segment.z_m + segment.climb_m * t;
-  while (col >= 0 && col < level.cols && row >= 0 && row < level.rows) {
-    const double tu = u.exit(col, kSide);
-    const double tv = v.exit(row, kSide);
-    const double t_out = std::max(t, std::min(std::min(tu, tv), t1));
-    const double z_out = segment.z_m + segment.climb_m * t_out;
-    enter(level.index(row, col), Crossing{row, col, t, t_out}, z, z_out);
-    if (t_out >= t1) return;
-    t = t_out;
-    z = z_out;
-    col += tu <= tv ? u.direction : 0;
-    row += tu <= tv ? 0 : v.direction;
-  }
+void RasterPyramid::walk_blocks(std::size_t tier, const Way& way, double t0, double t1,
+                                const Enter& enter) const {
+  const Level& level = levels_[tier];
+  const int counts[2] = {level.cols, level.rows};
+  double z_in = way.height(t0);
+  way.march(level.cells, counts, t0, t1, [&](int index, const int(&)[2], double t_in, double t_out) {
+    const double z_out = way.height(t_out);
+    enter(Crossing{level.first + static_cast<std::size_t>(index), t_in, t_out, std::min(z_in, z_out),
+                   std::max(z_in, z_out)});
+    z_in = z_out;
+  });
 }
 
-template <class Skip, class Enter>
-void RasterPyramid::walk(const RasterSegment& segment, const Axis& u, const Axis& v, double t0, double t1,
-                         const Skip& skip, const Enter& enter) const {
-  // Blocks much larger than the segment say little about it.
-  const double reach = std::max(std::abs(u.slope), std::abs(v.slope)) * (t1 - t0);
+std::size_t RasterPyramid::first_tier(const Way& way, double t0, double t1) const {
+  const double reach = std::max(std::abs(way.step[0]), std::abs(way.step[1])) * (t1 - t0);
   std::size_t tier = 0;
-  while (tier + 1 < levels_.size() && levels_[tier].cells < reach) ++tier;
-  int col = std::clamp(static_cast<int>(u.at(t0)), 0, grid_->cols - 2) / levels_[tier].cells;
-  int row = std::clamp(static_cast<int>(v.at(t0)), 0, grid_->rows - 2) / levels_[tier].cells;
-  double t = t0;
-  double z = segment.z_m + segment.climb_m * t;
-  while (t < t1) {
-    const Level& level = levels_[tier];
-    const double tu = u.exit(col, level.cells);
-    const double tv = v.exit(row, level.cells);
-    const double t_out = std::max(t, std::min(std::min(tu, tv), t1));
-    const double z_out = segment.z_m + segment.climb_m * t_out;
-    if (!skip(level.index(row, col), t, z, t_out, z_out)) {
-      if (tier > 0) {
-        --tier;
-        const Level& finer = levels_[tier];
-        col = std::min(2 * col + (u.at(t) >= (2 * col + 1) * finer.cells ? 1 : 0), finer.cols - 1);
-        row = std::min(2 * row + (v.at(t) >= (2 * row + 1) * finer.cells ? 1 : 0), finer.rows - 1);
-        continue;
-      }
-      enter(level.index(row, col), Crossing{row, col, t, t_out}, z, z_out);
-    }
-    t = t_out;
-    z = z_out;
-    const bool across = tu <= tv;
-    int& index = across ? col : row;
-    index += across ? u.direction : v.direction;
-    if (index < 0 || index >= (across ? level.cols : level.rows)) return;
-    if (tier + 1 < levels_.size() && (across ? u : v).enters_parent(index)) {
-      ++tier;
-      col /= 2;
-      row /= 2;
-    }
-  }
+  while (tier + 1 < levels_.size() && kMostBlocks * levels_[tier].cells < reach) ++tier;
+  return tier;
 }
 
-/// The blocks that may hold the least height. The most promising is looked at first: its cells rule out most
-/// others.
-class RasterPyramid::Candidates {
- public:
-  static constexpr std::size_t kMost = 32;
-
-  /// Kept only if `keep`: no branch for the processor to guess.
-  void offer(double bound, const Crossing& crossing, bool keep) {
-    blocks_[count_] = {bound, crossing};
-    count_ += keep ? 1 : 0;
-  }
-  bool full() const { return count_ == kMost; }
-
-  template <class LookAt>
-  double look_at_all(double best, const LookAt& look_at) {
-    if (count_ == 0) return best;
-    std::size_t lowest = 0;
-    for (std::size_t i = 1; i < count_; ++i) lowest = blocks_[i].bound < blocks_[lowest].bound ? i : lowest;
-    best = look_at(blocks_[lowest].crossing, best);
-    for (std::size_t i = 0; i < count_; ++i) {
-      if (i != lowest && blocks_[i].bound < best) best = look_at(blocks_[i].crossing, best);
-    }
-    count_ = 0;
-    return best;
-  }
-
- private:
-  struct Block {
+// The most promising block is looked at first: what it shows rules out most others.
+double RasterPyramid::least_over(std::size_t tier, const Way& way, double t0, double t1, double best) const {
+  struct Candidate {
     double bound;
     Crossing crossing;
   };
-  std::array<Block, kMost + 1> blocks_;
-  std::size_t count_ = 0;
-};
+  // Lines crossed are at most kMostBlocks + 1 along each axis, and one more of each by rounding.
+  std::array<Candidate, 2 * kMostBlocks + 8> candidates;
+  std::size_t count = 0;
+  walk_blocks(tier, way, t0, t1, [&](const Crossing& crossing) {
+    const double bound = crossing.z_low - static_cast<double>(max_[crossing.index]);
+    candidates[count] = {bound, crossing};
+    count += bound < best ? 1 : 0;  // no branch for the processor to guess
+  });
+  if (count == 0) return best;
+  const auto look_at = [&](const Crossing& crossing) {
+    if (tier > 0) {
+      best = least_over(tier - std::min<std::size_t>(tier, 2), way, crossing.t_in, crossing.t_out, best);
+    } else {
+      walk_cells(way, crossing.t_in, crossing.t_out,
+                 [&](const Piece& piece) { best = std::min(best, piece.least()); });
+    }
+  };
+  std::size_t lowest = 0;
+  for (std::size_t i = 1; i < count; ++i)
+    lowest = candidates[i].bound < candidates[lowest].bound ? i : lowest;
+  look_at(candidates[lowest].crossing);
+  for (std::size_t i = 0; i < count; ++i) {
+    if (i != lowest && candidates[i].bound < best) look_at(candidates[i].crossing);
+  }
+  return best;
+}
 
 double RasterPyramid::min_height_above(const RasterSegment& segment, double t0, double t1,
                                        double best) const {
-  const Axis u(segment.start.x(), segment.step.x());
-  const Axis v(segment.start.y(), segment.step.y());
-  const auto look_at = [&](const Crossing& crossing, double least) {
-    walk_cells(segment, u, v, crossing, [&](const Piece& piece) { least = std::min(least, piece.least()); });
-    return least;
-  };
-  const auto bound = [&](std::size_t index, double z_in, double z_out) {
-    return std::min(z_in, z_out) - static_cast<double>(max_[index]);
-  };
-  Candidates candidates;
-  const double reach = std::max(std::abs(u.slope), std::abs(v.slope)) * (t1 - t0);
-  if (reach <= kShort) {
-    walk_lowest(segment, u, v, t0, t1,
-                [&](std::size_t index, const Crossing& crossing, double z_in, double z_out) {
-                  const double least = bound(index, z_in, z_out);
-                  candidates.offer(least, crossing, least < best && !candidates.full());
-                });
-    return candidates.look_at_all(best, look_at);
-  }
-  const auto skip = [&](std::size_t index, double, double z_in, double, double z_out) {
-    return bound(index, z_in, z_out) >= best;
-  };
-  walk(segment, u, v, t0, t1, skip,
-       [&](std::size_t index, const Crossing& crossing, double z_in, double z_out) {
-         candidates.offer(bound(index, z_in, z_out), crossing, true);
-         if (candidates.full()) best = candidates.look_at_all(best, look_at);
-       });
-  return candidates.look_at_all(best, look_at);
+  const Way way(segment);
+  return least_over(first_tier(way, t0, t1), way, t0, t1, best);
+}
+
+double RasterPyramid::share_over(std::size_t tier, const Way& way, double t0, double t1) const {
+  double share = 0.0;
+  walk_blocks(tier, way, t0, t1, [&](const Crossing& crossing) {
+    if (crossing.z_low > static_cast<double>(max_[crossing.index])) return;
+    if (crossing.z_high < static_cast<double>(min_[crossing.index])) {
+      share += crossing.t_out - crossing.t_in;
+    } else if (tier > 0) {
+      share += share_over(tier - 1, way, crossing.t_in, crossing.t_out);
+    } else {
+      walk_cells(way, crossing.t_in, crossing.t_out, [&](const Piece& piece) {
+        if (std::min(piece.h_in, piece.h_out) - std::max(piece.bend, 0.0) > 0.0) return;
+        share += (piece.t_out - piece.t_in) * piece.share_below();
+      });
+    }
+  });
+  return share;
 }
 
 double RasterPyramid::share_below(const RasterSegment& segment, double t0, double t1) const {
-  double share = 0.0;
-  const Axis u(segment.start.x(), segment.step.x());
-  const Axis v(segment.start.y(), segment.step.y());
-  const auto skip = [&](std::size_t index, double t_in, double z_in, double t_out, double z_out) {
-    if (std::min(z_in, z_out) > static_cast<double>(max_[index])) return true;
-    if (!(std::max(z_in, z_out) < static_cast<double>(min_[index]))) return false;
-    share += t_out - t_in;
-    return true;
-  };
-  const auto take = [&](const Piece& piece) {
-    if (std::min(piece.h_in, piece.h_out) - std::max(piece.bend, 0.0) > 0.0) return;
-    share += (piece.t_out - piece.t_in) * piece.share_below();
-  };
-  walk(segment, u, v, t0, t1, skip, [&](std::size_t, const Crossing& crossing, double, double) {
-    walk_cells(segment, u, v, crossing, take);
-  });
-  return share;
+  const Way way(segment);
+  return share_over(first_tier(way, t0, t1), way, t0, t1);
 }
 
 /// Calls visit_block(row, col, block, is_inside, is_cell) from the top; it answers whether to descend. Blocks

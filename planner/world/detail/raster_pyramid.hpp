@@ -26,8 +26,7 @@ class RasterPyramid {
   explicit RasterPyramid(const TerrainGrid& grid);
 
   double height_at(const Vec2& uv) const;
-  /// The lesser of `best` and the least height above the ground for t in [t0, t1]. The heights at t0 and t1
-  /// must be among `best`.
+  /// The lesser of `best` and the least height above the ground for t in [t0, t1].
   double min_height_above(const RasterSegment& segment, double t0, double t1, double best) const;
   /// Length of {t in [t0, t1]: at or below the ground}.
   double share_below(const RasterSegment& segment, double t0, double t1) const;
@@ -57,14 +56,14 @@ class RasterPyramid {
   struct Cell {
     double sw, se, nw, ne;
   };
-  /// The way through one smallest block.
+  /// The way through one block: when, and between which heights.
   struct Crossing {
-    int row, col;
+    std::size_t index;
     double t_in, t_out;
+    double z_low, z_high;
   };
-  class Candidates;
+  struct Way;
   struct Piece;
-  struct Axis;
 
   void lay_out_levels();
   void fill_lowest();
@@ -74,20 +73,17 @@ class RasterPyramid {
   Block block_of_cell(int row, int col) const;
   Block block(std::size_t index) const { return {min_[index], max_[index], slope_[index]}; }
 
-  /// Follows the segment from t0 to t1 over the largest blocks for which skip(block index, t_in, z_in, t_out,
-  /// z_out) holds; where it does not hold for a smallest one, calls enter(block index, Crossing, z_in,
-  /// z_out).
-  template <class Skip, class Enter>
-  void walk(const RasterSegment& segment, const Axis& u, const Axis& v, double t0, double t1,
-            const Skip& skip, const Enter& enter) const;
-  /// The same over the smallest blocks only, skipping none.
+  /// The finest tier of blocks of which the way crosses few between t0 and t1.
+  std::size_t first_tier(const Way& way, double t0, double t1) const;
+  /// Calls enter(Crossing) for each block of the tier from t0 to t1, in order.
   template <class Enter>
-  void walk_lowest(const RasterSegment& segment, const Axis& u, const Axis& v, double t0, double t1,
-                   const Enter& enter) const;
-  /// Calls take(Piece) for each cell on the way through a smallest block, in order.
+  void walk_blocks(std::size_t tier, const Way& way, double t0, double t1, const Enter& enter) const;
+  /// Calls take(Piece) for each cell from t0 to t1, in order.
   template <class Take>
-  void walk_cells(const RasterSegment& segment, const Axis& u, const Axis& v, const Crossing& crossing,
-                  const Take& take) const;
+  void walk_cells(const Way& way, double t0, double t1, const Take& take) const;
+  double least_over(std::size_t tier, const Way& way, double t0, double t1, double best) const;
+  double share_over(std::size_t tier, const Way& way, double t0, double t1) const;
+
   template <class Visit>
   void visit(std::size_t level, int row, int col, const Vec2& lo, const Vec2& hi, Visit&& visit_block) const;
   template <class Visit>
