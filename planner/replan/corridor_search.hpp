@@ -1,6 +1,5 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -13,19 +12,31 @@
 
 namespace swallowtail::planner {
 
+/// What takes part in a search. All of it does by default; leaving something out tells what it is worth.
+struct CorridorParts {
+  bool tree = true;         ///< sidestep.hpp
+  bool butterflies = true;  ///< the named algorithm
+  bool launcher = true;     ///< of the butterflies
+  bool polish = true;       ///< taut_string.hpp
+};
+Status validate(const CorridorParts& parts);
+
 struct CorridorParams {
   std::string algorithm{"boa"};
   int population = 24;
-  /// Of the swarm in each round, times the population; the descent comes on top. Ours.
+  /// Of the swarm in each round at most, times the population; the polish comes on top. Ours.
   int iterations_per_round = 30;
   int max_rounds = 1'000'000;
   /// Rounds without a gain of 0.01 % after which a search that has an answer ends; 0: with the first answer.
   int idle_rounds = 12;
+  /// Chains may grow to so many points, ends included, where the polish needs them.
+  std::size_t most_points = 64;
+  CorridorParts parts{};
 };
 
-/// A path free of violations in the optimisers' eyes, and what it took.
+/// A path free of violations in the search's eyes, and what it took.
 struct Corridor {
-  std::vector<Vec3> waypoints;
+  std::vector<Vec3> waypoints;  ///< between the ends; any number; no hop steeper than the climb limit
   DetourProblem::Cost cost;
   double value = 0.0;
 };
@@ -39,10 +50,13 @@ struct CorridorReport {
 /// What the caller says to a candidate: take it (it is certified), or not (the certifier refused it).
 using AcceptCorridor = std::function<bool(const Corridor&, std::uint64_t evaluations)>;
 
-/// Rounds of swarm and descent: the swarm chooses a corridor, the descent finds its shortest path. Rounds
-/// differ in seed and box (natural, then wider), every second one starts from the best so far. Every path
-/// better than the last accepted one is offered to `accept`. Ends with `stop`, or after the rounds of
-/// `params`. `guesses` are paths to start from, each of problem.waypoints() points.
+/// Anytime search in rounds. First a tree of sidesteps gives a path at once and the taut string shortens it.
+/// Each round then looks for other corridors: sidesteps in random order, and a swarm (natural box, then
+/// wider; every second round from the best so far) whose best is pulled taut. Paths of many points are
+/// improved stretch by stretch. Every path better than the last accepted one is offered to `accept`. Ends
+/// with `stop`, or after the rounds of `params`. One evaluation is one look at a whole path of
+/// problem.waypoints() points, or as many hops looked at by the tree. `guesses` are paths to start from, of
+/// any number of points.
 Result<CorridorReport> search_corridor(const DetourProblem& problem, const CorridorParams& params,
                                        const StopCondition& stop, std::uint64_t seed,
                                        const std::vector<std::vector<Vec3>>& guesses,

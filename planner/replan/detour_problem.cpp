@@ -21,7 +21,32 @@ Eigen::Matrix3d frame_along(const Vec3& line) {
   return frame;
 }
 
+bool is_vertical(const Vec3& direction) {
+  return direction.head<2>().squaredNorm() <= kSamePlace_m * kSamePlace_m;
+}
+
 }  // namespace
+
+double steepest_slope(const VehicleLimits& limits) { return std::tan(limits.climb_max_rad) * (1.0 - 1e-9); }
+
+std::optional<Vec3> steep_corner(const Vec3& from, const Vec3& to, double steepest) {
+  const Vec3 d = to - from;
+  const double level = std::sqrt(d.x() * d.x() + d.y() * d.y());
+  if (std::abs(d.z()) <= steepest * level || level <= kSamePlace_m) return std::nullopt;
+  if (d.z() > 0.0) return Vec3(from.x(), from.y(), to.z() - steepest * level);
+  return Vec3(to.x(), to.y(), from.z() - steepest * level);
+}
+
+std::vector<Vec3> as_flown(const std::vector<Vec3>& chain, double steepest) {
+  std::vector<Vec3> flown;
+  for (const Vec3& point : chain) {
+    if (!flown.empty()) {
+      if (const auto corner = steep_corner(flown.back(), point, steepest)) flown.push_back(*corner);
+    }
+    flown.push_back(point);
+  }
+  return flown;
+}
 
 DetourProblem::DetourProblem(const ObstacleField& field, const VehicleLimits& limits, const DetourEnds& ends,
                              int waypoints, DetourObjective objective)
@@ -31,6 +56,7 @@ DetourProblem::DetourProblem(const ObstacleField& field, const VehicleLimits& li
       waypoints_(waypoints),
       objective_(objective),
       distance_m_(std::max((ends.to_m - ends.from_m).norm(), kSamePlace_m)),
+      steepest_(steepest_slope(limits)),
       frame_(frame_along(ends.to_m - ends.from_m)) {
   size_box();
 }
@@ -95,6 +121,7 @@ struct DetourProblem::Progress {
   Vec3 at = Vec3::Zero();
   double time_s = 0.0;
   Vec3 direction = Vec3::Zero();
+  bool was_vertical = false;
   Cost cost;
 };
 
@@ -102,9 +129,11 @@ void DetourProblem::fly(Progress& progress, const Vec3& to) const {
   const Vec3 d = to - progress.at;
   const double length = d.norm();
   if (length <= kSamePlace_m) return;
-  if (progress.direction != Vec3::Zero()) {
+  const bool vertical = is_vertical(d);
+  const bool timed = objective_ == DetourObjective::kTime || field_.anything_moves();
+  if (timed && progress.direction != Vec3::Zero()) {
     const double turn = std::atan2(progress.direction.cross(d).norm(), progress.direction.dot(d));
-    if (turn > limits_.turn_max_rad) {
+    if (turn > limits_.turn_max_rad || vertical != progress.was_vertical) {
       if (field_.anything_moves()) {
         progress.cost.violation_m +=
             field_.violation_m(progress.at, progress.time_s, progress.at, progress.time_s + kStopToTurn_s);
@@ -113,7 +142,6 @@ void DetourProblem::fly(Progress& progress, const Vec3& to) const {
     }
   }
   const double climb = d.z() > 0.0 ? d.z() / limits_.climb_speed_mps : -d.z() / limits_.descent_speed_mps;
-  const bool vertical = d.head<2>().norm() <= kSamePlace_m;
   const double duration = vertical ? climb : std::max(climb, length / limits_.cruise_speed_mps);
   progress.cost.violation_m +=
       field_.violation_m(progress.at, progress.time_s, to, progress.time_s + duration) +
@@ -121,24 +149,17 @@ void DetourProblem::fly(Progress& progress, const Vec3& to) const {
   progress.cost.length_m += length;
   progress.time_s += duration;
   progress.direction = d;
+  progress.was_vertical = vertical;
   progress.at = to;
 }
 
-DetourProblem::Cost DetourProblem::cost(const Eigen::Ref<const Eigen::VectorXd>& x) const {
-  Progress progress{ends_.from_m, ends_.from_time_s, ends_.before, {}};
-  const double steepest = std::tan(limits_.climb_max_rad);
-  for (Eigen::Index i = 0; i <= waypoints_; ++i) {
-    const Vec3 to = i < waypoints_ ? decode(x, i) : ends_.to_m;
-    const Vec3 d = to - progress.at;
-    const double level = d.head<2>().norm();
-    if (std::abs(d.z()) > steepest * level * (1.0 + 1e-9) && level > kSamePlace_m) {
-      const bool up = d.z() > 0.0;
-      const Vec3 corner =
-          up ? Vec3(progress.at.x(), progress.at.y(), to.z()) : Vec3(to.x(), to.y(), progress.at.z());
-      fly(progress, corner);
-    }
-    fly(progress, to);
-  }
+void DetourProblem::hop(Progress& progress, const Vec3& to) const {
+  if (const auto corner = steep_corner(progress.at, to, steepest_)) fly(progress, *corner);
+  fly(progress, to);
+}
+
+DetourProblem::Cost DetourProblem::finish(Progress& progress) const {
+  hop(progress, ends_.to_m);
   if (ends_.after != Vec3::Zero() && progress.direction != Vec3::Zero()) {
     const double turn =
         std::atan2(progress.direction.cross(ends_.after).norm(), progress.direction.dot(ends_.after));
@@ -146,6 +167,18 @@ DetourProblem::Cost DetourProblem::cost(const Eigen::Ref<const Eigen::VectorXd>&
   }
   progress.cost.duration_s = progress.time_s - ends_.from_time_s;
   return progress.cost;
+}
+
+DetourProblem::Cost DetourProblem::cost(const Eigen::Ref<const Eigen::VectorXd>& x) const {
+  Progress progress{ends_.from_m, ends_.from_time_s, ends_.before, is_vertical(ends_.before), {}};
+  for (Eigen::Index i = 0; i < waypoints_; ++i) hop(progress, decode(x, i));
+  return finish(progress);
+}
+
+DetourProblem::Cost DetourProblem::cost(std::span<const Vec3> waypoints) const {
+  Progress progress{ends_.from_m, ends_.from_time_s, ends_.before, is_vertical(ends_.before), {}};
+  for (const Vec3& to : waypoints) hop(progress, to);
+  return finish(progress);
 }
 
 double DetourProblem::value(const Cost& cost) const {

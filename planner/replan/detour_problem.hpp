@@ -1,6 +1,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "planner/kernels/obstacle_field.hpp"
@@ -29,7 +31,8 @@ enum class DetourObjective : std::uint8_t { kLength, kTime };
 /// obstacles with the depth of the exact segment distance [BOA Eq. 12 as corrected], and over the ground [BOA
 /// Eq. 14]; moving obstacles are met at the time the flight is there at cruise speed. Departs from [BOA Eq.
 /// 16]: the penalty is linear and its weight constant, large enough for its minimum to be free of violations.
-/// A hop steeper than climb_max_rad counts as it is flown: a vertical and a level part.
+/// A hop steeper than climb_max_rad counts as it is flown: a vertical part and one of the steepest slope
+/// (`as_flown`).
 class DetourProblem {
  public:
   static constexpr double kPenalty = 10.0;
@@ -47,6 +50,7 @@ class DetourProblem {
   const ObstacleField& field() const { return field_; }
   const DetourEnds& ends() const { return ends_; }
   const VehicleLimits& limits() const { return limits_; }
+  DetourObjective objective() const { return objective_; }
 
   Vec3 decode(const Eigen::Ref<const Eigen::VectorXd>& x, Eigen::Index waypoint) const;
   std::vector<Vec3> decode(const Eigen::Ref<const Eigen::VectorXd>& x) const;
@@ -60,11 +64,15 @@ class DetourProblem {
     double violation_m = 0.0;
   };
   Cost cost(const Eigen::Ref<const Eigen::VectorXd>& x) const;
+  /// Of any number of waypoints between the ends.
+  Cost cost(std::span<const Vec3> waypoints) const;
   double value(const Cost& cost) const;
 
  private:
   struct Progress;
   void fly(Progress& progress, const Vec3& to) const;
+  void hop(Progress& progress, const Vec3& to) const;
+  Cost finish(Progress& progress) const;
   void size_box();
 
   const ObstacleField& field_;
@@ -73,10 +81,20 @@ class DetourProblem {
   int waypoints_;
   DetourObjective objective_;
   double distance_m_;
+  double steepest_;
   Eigen::Matrix3d frame_;
   double spread_ = 0.0;  ///< half width of the natural box along e2, as a share of D
   double rise_ = 0.0;    ///< the same along e3
 };
+
+/// Where a hop steeper than `steepest` (rise over run) bends so as to keep the limit: it climbs vertically
+/// first, or descends vertically last, and has the steepest slope for the rest; no such hop is shorter.
+/// Nothing for a hop that keeps the limit or is vertical.
+std::optional<Vec3> steep_corner(const Vec3& from, const Vec3& to, double steepest);
+/// The rise over run that hops are bent to: the limit, less rounding.
+double steepest_slope(const VehicleLimits& limits);
+/// The chain with those corners among its points.
+std::vector<Vec3> as_flown(const std::vector<Vec3>& chain, double steepest);
 
 /// `count` points that follow the polyline evenly, its corners first of all: fewer corners than points are
 /// filled up on the longest hops; of more, those that bend least are left out. Ends not included.

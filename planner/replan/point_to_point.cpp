@@ -7,14 +7,13 @@
 #include <optional>
 
 #include "planner/base/checks.hpp"
-#include "planner/replan/corridor_search.hpp"
 
 namespace swallowtail::planner {
 namespace {
 
 /// How steep the ground is taken to be, tried in this order while the certifier refuses what the search
 /// finds.
-constexpr std::array kSlopeShares{0.15, 0.4, 1.0};
+constexpr std::array kSlopeShares{0.0, 0.4, 1.0};
 
 std::vector<RoutePoint> route_of(const std::vector<Vec3>& waypoints, const Vec3& goal) {
   std::vector<RoutePoint> route;
@@ -151,6 +150,7 @@ class PointToPoint {
     CorridorParams params;
     params.algorithm = request_.params.algorithm;
     params.population = request_.params.population;
+    params.parts = request_.params.parts;
     StopCondition stop = stop_;
     stop.max_evaluations -= report_.evaluations;
     // With steeper answers still to try, this one may not use up everything.
@@ -209,6 +209,7 @@ Status validate(const PlanParams& params) {
     return bad_input("The number of waypoints is " + std::to_string(params.waypoints) +
                      "; it must be 1 to 64.");
   }
+  if (Status status = validate(params.parts); !status) return status;
   Result<swarm::AnyParams> known = swarm::params_by_name(params.algorithm);
   if (!known) return known.error();
   return std::visit([](const auto& p) { return swarm::validate(p); },

@@ -11,6 +11,7 @@
 #include "planner/base/stop.hpp"
 #include "planner/path/certifier.hpp"
 #include "planner/path/path.hpp"
+#include "planner/replan/corridor_search.hpp"
 #include "planner/world/world.hpp"
 
 namespace swallowtail::planner {
@@ -28,8 +29,9 @@ const char* name(PlanStatus status);
 
 struct PlanParams {
   std::string algorithm = "boa";  ///< a name of swarm/registry.hpp
-  int waypoints = 6;              ///< most midpoints between start and goal, 1 to 64
+  int waypoints = 6;              ///< midpoints of the swarm's paths, 1 to 64; the answer may have more
   int population = 24;
+  CorridorParts parts{};  ///< what takes part: leave something out to see what it is worth
 };
 Status validate(const PlanParams& params);
 

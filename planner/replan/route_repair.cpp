@@ -117,7 +117,7 @@ Blockage RouteRepair::find_blockage(const TimedRoute& timed, const Violation& vi
     if (field_.id(i) != blockage.obstacle_id && nearest_s >= blocked_s) continue;
     blocked_s = std::min(blocked_s, nearest_s);
     blockage.obstacle_id = field_.id(i);
-    blockage.moves = field_.moves(i) || std::isfinite(world_->obstacles()[i].valid_until_s);
+    blockage.moves = field_.moves(i) || std::isfinite(field_.solids()[i].valid_until_s);
   }
   const double margin_m = kFreeMargin * limits_.clearance_m();
   double begins_s = blocked_s;

@@ -4,7 +4,6 @@
 
 #include <Eigen/Geometry>
 
-#include "planner/replan/descent.hpp"
 #include "planner/swarm/registry.hpp"
 
 namespace swallowtail::planner {
@@ -67,8 +66,8 @@ TEST(DetourProblem, SteepHopsCountAsTheyAreFlown) {
   const ObstacleField field(s.world, s.limits);
   const DetourProblem problem(field, s.limits, s.ends, 1, DetourObjective::kLength);
   const auto cost = problem.cost(problem.encode({Vec3(10, 0, 60)}));
-  EXPECT_NEAR(cost.length_m, 40.0 + 10.0 + std::hypot(90, 40), 1e-6)
-      << "up, along, and a slope within the limit";
+  EXPECT_NEAR(cost.length_m, 30.0 + 10.0 * std::sqrt(2.0) + std::hypot(90, 40), 1e-6)
+      << "up, along the steepest slope, and a slope within the limit";
 }
 
 TEST(DetourProblem, AShiftedTurnedOrScaledSceneGivesTheSameAnswer) {
@@ -77,23 +76,6 @@ TEST(DetourProblem, AShiftedTurnedOrScaledSceneGivesTheSameAnswer) {
     EXPECT_NEAR(best_value(Setting(Vec3(500, -300, 40)), seed), value, 5e-3);
     EXPECT_NEAR(best_value(Setting(Vec3::Zero(), 0.8), seed), value, 5e-3);
     EXPECT_NEAR(best_value(Setting(Vec3::Zero(), 0.0, 4.0), seed), value, 5e-3);
-  }
-}
-
-TEST(Descent, ShortensAndNeverWorsens) {
-  const Setting s;
-  const ObstacleField field(s.world, s.limits);
-  const DetourProblem problem(field, s.limits, s.ends, 3, DetourObjective::kLength);
-  Rng rng(3);
-  for (int trial = 0; trial < 30; ++trial) {
-    const Vec3 side(0, rng.uniform(15, 40) * (trial % 2 == 0 ? 1 : -1), rng.uniform(-5, 5));
-    const Eigen::VectorXd start =
-        problem.encode({Vec3(25, 0, 20) + side, Vec3(50, 0, 20) + side, Vec3(75, 0, 20) + side});
-    const DescentResult result = descend(problem, start, 500);
-    ASSERT_LE(result.value, problem.value(problem.cost(start)));
-    ASSERT_LE(result.evaluations, 500u);
-    EXPECT_LT(result.value, 1.06) << "the way round these balls is that short";
-    EXPECT_LT(problem.cost(result.x).violation_m, 1e-2);
   }
 }
 
