@@ -66,6 +66,7 @@ void MultiEvaluator::operator()(Candidates candidates, Objectives objectives) {
   const auto asked = static_cast<std::uint64_t>(candidates.cols());
   const auto n = static_cast<Eigen::Index>(std::min(left, asked));
   objectives.setConstant(std::numeric_limits<double>::infinity());
+  taken_.assign(static_cast<std::size_t>(asked), 0);
   if (n == 0) return;
   problem_.evaluate(candidates.leftCols(n), objectives.leftCols(n));
   evaluations_ += static_cast<std::uint64_t>(n);
@@ -73,7 +74,9 @@ void MultiEvaluator::operator()(Candidates candidates, Objectives objectives) {
     for (double& value : objectives.col(i)) {
       if (std::isnan(value)) value = std::numeric_limits<double>::infinity();
     }
-    if (archive_.offer(candidates.col(i), objectives.col(i), rng_)) ++accepted_;
+    if (!archive_.offer(candidates.col(i), objectives.col(i), rng_)) continue;
+    taken_[static_cast<std::size_t>(i)] = 1;
+    ++accepted_;
   }
 }
 

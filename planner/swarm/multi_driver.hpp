@@ -29,6 +29,10 @@ class MultiEvaluator {
 
   std::uint64_t evaluations() const { return evaluations_; }
   const ParetoArchive& archive() const { return archive_; }
+  /// Whether the archive took the candidate of that column in the last call.
+  bool was_taken(Eigen::Index column) const { return taken_[static_cast<std::size_t>(column)] != 0; }
+  /// The objectives have changed: what the archive holds is worth nothing any more.
+  void forget_archive() { archive_.clear(); }
   /// How often the archive has taken a candidate.
   std::uint64_t accepted() const { return accepted_; }
 
@@ -39,6 +43,7 @@ class MultiEvaluator {
   std::uint64_t max_evaluations_;
   std::uint64_t evaluations_ = 0;
   std::uint64_t accepted_ = 0;
+  std::vector<char> taken_;
 };
 
 /// As `Algorithm` (optimizer.hpp), for several objectives; `Params` has a member `archive`.

@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "planner/base/result.hpp"
+#include "planner/base/rng.hpp"
 #include "planner/swarm/problem.hpp"
 
 namespace swallowtail::swarm {
@@ -21,6 +22,11 @@ struct MultiProblem {
   /// Writes the objectives of each column. A candidate with +infinity in any of them is infeasible and never
   /// enters a front; NaN counts as +infinity.
   std::function<void(Candidates, Objectives)> evaluate;
+  /// Writes a neighbour of a candidate within the bounds: a small change that means something to the problem
+  /// (one node of a path, say). May be empty; then algorithms mutate variables.
+  std::function<void(const Eigen::Ref<const Eigen::VectorXd>& candidate, Rng& rng,
+                     Eigen::Ref<Eigen::VectorXd> neighbour)>
+      vary;
   /// (objectives) point that the hypervolume is measured from; empty: none is measured. At most 4 objectives
   /// then.
   Eigen::VectorXd reference;

@@ -13,9 +13,9 @@ struct PsoParams {
   double inertia = 0.7298;     ///< χ, 0 … 1; [CLERC-KENNEDY]
   double cognitive = 1.49618;  ///< χ φ1, 0 … 4; [CLERC-KENNEDY]
   double social = 1.49618;     ///< χ φ2, 0 … 4; [CLERC-KENNEDY]
-  int informants = 8;          ///< particles asked for the better best, 1 … 1000; ours
+  int informants = 20;         ///< particles asked for the better best, 1 … 1000; ours
   double takes_part = 0.5;     ///< chance of a variable to take part in a move, 0 … 1; ours
-  double jump = 0.5;           ///< chance of a jump instead of a flight, 0 … 1; ours
+  double jump = 0.7;           ///< chance of a jump instead of a flight, 0 … 1; ours
 };
 Parameters parameters(PsoParams& params);
 Status validate(const PsoParams& params);

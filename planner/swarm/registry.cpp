@@ -3,6 +3,8 @@
 #include <array>
 #include <utility>
 
+#include "planner/swarm/scalar.hpp"
+
 namespace swallowtail::swarm {
 namespace {
 
@@ -17,14 +19,11 @@ AnyParams defaults() {
 }
 
 constexpr std::array kTable{
-    Entry{"boa", defaults<BoaParams>},
-    Entry{"pso", defaults<PsoParams>},
-    Entry{"ibabc", defaults<IbabcParams>},
-    Entry{"aco", defaults<AcoParams>},
-    Entry{"boa-seed", defaults<BoaSeedParams>},
-    Entry{"pso-seed", defaults<PsoSeedParams>},
-    Entry{"ibabc-seed", defaults<IbabcSeedParams>},
-    Entry{"aco-seed", defaults<AcoSeedParams>},
+    Entry{"boa", defaults<BoaParams>},          Entry{"pso", defaults<PsoParams>},
+    Entry{"ibabc", defaults<IbabcParams>},      Entry{"aco", defaults<AcoParams>},
+    Entry{"nmopso", defaults<NmopsoParams>},    Entry{"boa-seed", defaults<BoaSeedParams>},
+    Entry{"pso-seed", defaults<PsoSeedParams>}, Entry{"ibabc-seed", defaults<IbabcSeedParams>},
+    Entry{"aco-seed", defaults<AcoSeedParams>}, Entry{"nmopso-seed", defaults<NmopsoSeedParams>},
 };
 
 /// Which algorithm takes which parameters.
@@ -39,6 +38,8 @@ template <> struct AlgorithmOf<BoaSeedParams> { using type = BoaSeed; };
 template <> struct AlgorithmOf<PsoSeedParams> { using type = PsoSeed; };
 template <> struct AlgorithmOf<IbabcSeedParams> { using type = IbabcSeed; };
 template <> struct AlgorithmOf<AcoSeedParams> { using type = AcoSeed; };
+template <> struct AlgorithmOf<NmopsoParams> { using type = Scalar<Nmopso>; };
+template <> struct AlgorithmOf<NmopsoSeedParams> { using type = Scalar<NmopsoSeed>; };
 // clang-format on
 
 }  // namespace
@@ -73,6 +74,19 @@ Result<Report> optimize(const AnyParams& params, const Problem& problem, const R
         return run<typename AlgorithmOf<std::decay_t<decltype(p)>>::type>(p, problem, options);
       },
       params);
+}
+
+bool takes_several_objectives(const AnyParams& params) {
+  return std::holds_alternative<NmopsoParams>(params) || std::holds_alternative<NmopsoSeedParams>(params);
+}
+
+Result<MultiReport> optimize_multi(const AnyParams& params, const MultiProblem& problem,
+                                   const MultiRunOptions& options) {
+  if (const auto* p = std::get_if<NmopsoParams>(&params)) return run_multi<Nmopso>(*p, problem, options);
+  if (const auto* p = std::get_if<NmopsoSeedParams>(&params)) {
+    return run_multi<NmopsoSeed>(*p, problem, options);
+  }
+  return bad_input("This algorithm minimises one objective; 'nmopso' and 'nmopso-seed' take several.");
 }
 
 }  // namespace swallowtail::swarm

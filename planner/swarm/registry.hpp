@@ -13,6 +13,9 @@
 #include "planner/swarm/driver.hpp"
 #include "planner/swarm/ibabc.hpp"
 #include "planner/swarm/ibabc_seed.hpp"
+#include "planner/swarm/multi_driver.hpp"
+#include "planner/swarm/nmopso.hpp"
+#include "planner/swarm/nmopso_seed.hpp"
 #include "planner/swarm/parameter.hpp"
 #include "planner/swarm/pso.hpp"
 #include "planner/swarm/pso_seed.hpp"
@@ -21,7 +24,7 @@ namespace swallowtail::swarm {
 
 /// The parameters of any algorithm; which of them it holds says which algorithm runs.
 using AnyParams = std::variant<BoaParams, PsoParams, IbabcParams, AcoParams, BoaSeedParams, PsoSeedParams,
-                               IbabcSeedParams, AcoSeedParams>;
+                               IbabcSeedParams, AcoSeedParams, NmopsoParams, NmopsoSeedParams>;
 
 /// Every algorithm's name, in the order of the table; `-seed` is the form as published.
 std::vector<std::string> algorithm_names();
@@ -33,7 +36,14 @@ AnyParams with_population(AnyParams params, int population);
 /// What can be tuned; points into `params`.
 Parameters parameters(AnyParams& params);
 
-/// Runs whichever algorithm the parameters belong to (see `run`).
+/// Runs whichever algorithm the parameters belong to (see `run`). One for several objectives takes the cost
+/// as its only one.
 Result<Report> optimize(const AnyParams& params, const Problem& problem, const RunOptions& options);
+
+/// Whether the algorithm can return a front.
+bool takes_several_objectives(const AnyParams& params);
+/// Runs it on several objectives (see `run_multi`). Refuses an algorithm that takes one only.
+Result<MultiReport> optimize_multi(const AnyParams& params, const MultiProblem& problem,
+                                   const MultiRunOptions& options);
 
 }  // namespace swallowtail::swarm
