@@ -1,6 +1,7 @@
 #include "planner/cost/navigation.hpp"
 
 #include <limits>
+#include <sstream>
 
 #include "planner/base/checks.hpp"
 #include "planner/cost/navigation_path.hpp"
@@ -49,7 +50,9 @@ struct NavigationProblem::Impl {
 namespace {
 
 std::string text(const Vec3& p) {
-  return "(" + std::to_string(p.x()) + ", " + std::to_string(p.y()) + ", " + std::to_string(p.z()) + ")";
+  std::ostringstream out;
+  out << '(' << p.x() << ", " << p.y() << ", " << p.z() << ')';
+  return out.str();
 }
 
 Status check_end(const Scene& scene, const Vec3& p, const std::string& name) {

@@ -1,5 +1,6 @@
 #include "planner/cost/navigation_path.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <limits>
 
