@@ -7,13 +7,16 @@ namespace {
 
 const detail::BatchKernel& kernel() { return detail::batch_kernels().back(); }
 
+detail::SolidList solids_of(const ObstacleField& field) {
+  return {field.solids().data(), field.standing_tree().nodes(), field.supports().data()};
+}
+
 Vec3 point(const LanePoint& p, int lane) { return {p.x[lane], p.y[lane], p.z[lane]}; }
 
 }  // namespace
 
 BatchField::BatchField(const ObstacleField& field) : field_(&field) {
-  for (std::size_t i = 0; i < field.size(); ++i)
-    (field.solids()[i].stands_for_ever() ? standing_ : timed_).push_back(i);
+  for (std::size_t i = field.standing(); i < field.size(); ++i) timed_.push_back(i);
 }
 
 void BatchField::add_length(const LanePoint& a, const LanePoint& b, Lanes& sum_m) {
@@ -21,14 +24,13 @@ void BatchField::add_length(const LanePoint& a, const LanePoint& b, Lanes& sum_m
 }
 
 void BatchField::add_violation(const LanePoint& a, const LanePoint& b, Lanes& sum_m) const {
-  kernel().add_violation({field_->solids().data(), standing_, field_->supports().data()}, a, b, sum_m);
+  kernel().add_violation(solids_of(*field_), a, b, sum_m);
 }
 
 std::span<const LaneDistance> BatchField::distances(const LanePoint& a, const LanePoint& b, double cap_m,
                                                     std::vector<LaneDistance>& buffer) const {
-  if (buffer.size() < standing_.size()) buffer.resize(standing_.size());
-  const std::size_t count = kernel().distances(
-      {field_->solids().data(), standing_, field_->supports().data()}, a, b, cap_m, buffer.data());
+  if (buffer.size() < field_->standing()) buffer.resize(field_->standing());
+  const std::size_t count = kernel().distances(solids_of(*field_), a, b, cap_m, buffer.data());
   return std::span<const LaneDistance>(buffer).first(count);
 }
 

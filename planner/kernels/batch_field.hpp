@@ -52,7 +52,6 @@ class BatchField {
 
  private:
   const ObstacleField* field_;
-  std::vector<std::size_t> standing_;
   std::vector<std::size_t> timed_;
 };
 

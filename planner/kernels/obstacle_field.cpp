@@ -17,8 +17,9 @@ using detail::SolidKind;
 
 namespace {
 
-/// Kept beyond what the certifier asks for, so that its one-sided tolerance does not refuse a touching path.
-double with_reserve(double required_m) { return required_m * (1.0 + 1e-4) + 1e-5; }
+/// Kept beyond what the certifier asks for, so that its one-sided tolerance does not refuse a touching path:
+/// a share of the distance and of the obstacle's size, so that a scaled scene keeps its scaled distances.
+double with_reserve(double required_m, double size_m) { return required_m * (1.0 + 1e-4) + 5e-6 * size_m; }
 
 using Real = double;
 using Mask = bool;
@@ -144,13 +145,38 @@ RelativeFlight relative_flight(const FieldSolid& solid, const Vec3& a, double t0
 }  // namespace
 
 ObstacleField::ObstacleField(std::shared_ptr<const World> world, const VehicleLimits& limits)
-    : world_(std::move(world)), radius_m_(with_reserve(limits.clearance_m())) {
+    : world_(std::move(world)), radius_m_(with_reserve(limits.clearance_m(), 0.0)) {
   set_slope_share(0.0);
-  for (const Obstacle& obstacle : world_->obstacles()) {
-    anything_moves_ = anything_moves_ || obstacle.moves() || std::isfinite(obstacle.valid_until_s);
-    solids_.push_back(
-        detail::field_solid(obstacle, with_reserve(limits.clearance_m() + obstacle.margin_m), supports_));
+  const auto obstacles = world_->obstacles();
+  double latest_news_s = 0.0;
+  for (const Obstacle& obstacle : obstacles) {
+    if (!detail::stands_for_ever(obstacle)) anything_moves_ = true;
+    if (obstacle.moves()) latest_news_s = std::max(latest_news_s, obstacle.state_time_s);
   }
+  solids_.reserve(obstacles.size());
+  standing_tree_ = add_solids(limits, true, 0.0);
+  standing_ = solids_.size();
+  timed_tree_ = add_solids(limits, false, latest_news_s);
+}
+
+detail::BallTree ObstacleField::add_solids(const VehicleLimits& limits, bool standing, double time_s) {
+  const auto required_m = [&](const Obstacle& obstacle) {
+    return with_reserve(limits.clearance_m() + obstacle.margin_m, bounding_radius_m(obstacle.shape));
+  };
+  std::vector<const Obstacle*> chosen;
+  std::vector<detail::MovingBall> balls;
+  for (const Obstacle& obstacle : world_->obstacles()) {
+    if (detail::stands_for_ever(obstacle) != standing) continue;
+    const detail::Ball ball = detail::ball_of(obstacle.shape);
+    chosen.push_back(&obstacle);
+    balls.push_back({obstacle.position_at(time_s) + ball.offset_m, obstacle.velocity_mps,
+                     ball.radius_m + required_m(obstacle)});
+  }
+  std::vector<std::uint32_t> order;
+  detail::BallTree tree(balls, time_s, order);
+  for (const std::uint32_t i : order)
+    solids_.push_back(detail::field_solid(*chosen[i], required_m(*chosen[i]), supports_));
+  return tree;
 }
 
 Vec3 ObstacleField::ball_center_m(std::size_t i, double time_s) const {
@@ -189,7 +215,10 @@ Approach ObstacleField::approach(std::size_t i, const Vec3& a, double t0_s, cons
 
 double ObstacleField::violation_m(std::size_t i, const Vec3& a, double t0_s, const Vec3& b,
                                   double t1_s) const {
-  if (!near(i, a, t0_s, b, t1_s, 0.0)) return 0.0;
+  return near(i, a, t0_s, b, t1_s, 0.0) ? depth_m(i, a, t0_s, b, t1_s) : 0.0;
+}
+
+double ObstacleField::depth_m(std::size_t i, const Vec3& a, double t0_s, const Vec3& b, double t1_s) const {
   const FieldSolid& solid = solids_[i];
   const RelativeFlight flight = relative_flight(solid, a, t0_s, b, t1_s);
   const Nearest nearest = nearest_on_ray(solid, flight.ray, supports_.data(), solid.required_m);
@@ -198,7 +227,7 @@ double ObstacleField::violation_m(std::size_t i, const Vec3& a, double t0_s, con
 
 double ObstacleField::violation_m(const Vec3& a, double t0_s, const Vec3& b, double t1_s) const {
   double sum = 0.0;
-  for (std::size_t i = 0; i < solids_.size(); ++i) sum += violation_m(i, a, t0_s, b, t1_s);
+  for_each_near(a, t0_s, b, t1_s, 0.0, [&](std::size_t i) { sum += depth_m(i, a, t0_s, b, t1_s); });
   return sum;
 }
 

@@ -8,10 +8,10 @@
 
 namespace swallowtail::planner::detail {
 
-/// The obstacles that a kernel runs over.
+/// The obstacles that a kernel runs over, and the tree over them (of balls that stand still).
 struct SolidList {
   const FieldSolid* solids;
-  std::span<const std::size_t> standing;
+  std::span<const BallNode> nodes;
   const double* supports;
 };
 

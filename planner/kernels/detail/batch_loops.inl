@@ -19,16 +19,44 @@ inline Hop hop_of(const LanePoint& from, const LanePoint& to) {
   return {a, d, divide(broadcast(1.0), square), root(square)};
 }
 
-/// Square of the distance from the hop to the centre of the solid's ball.
-inline Real ball_square(const Hop& hop, const FieldSolid& solid) {
-  const RealPoint p{hop.a.x - broadcast(solid.position_m.x() + solid.ball_offset_m.x()),
-                    hop.a.y - broadcast(solid.position_m.y() + solid.ball_offset_m.y()),
-                    hop.a.z - broadcast(solid.position_m.z() + solid.ball_offset_m.z())};
+/// Square of the distance from the hop to a place.
+inline Real square_to(const Hop& hop, double to_x, double to_y, double to_z) {
+  const RealPoint p{hop.a.x - broadcast(to_x), hop.a.y - broadcast(to_y), hop.a.z - broadcast(to_z)};
   const Real s = nearest_on(p, hop.d, hop.inverse_square);
   const Real x = p.x + s * hop.d.x;
   const Real y = p.y + s * hop.d.y;
   const Real z = p.z + s * hop.d.z;
   return x * x + y * y + z * z;
+}
+
+/// Square of the distance from the hop to the centre of the solid's ball.
+inline Real ball_square(const Hop& hop, const FieldSolid& solid) {
+  return square_to(hop, solid.position_m.x() + solid.ball_offset_m.x(),
+                   solid.position_m.y() + solid.ball_offset_m.y(),
+                   solid.position_m.z() + solid.ball_offset_m.z());
+}
+
+/// Calls visit(index) for every solid of the leaves that some lane may come nearer to than cap_m.
+template <class Visit>
+inline void for_each_in_reach(const SolidList& list, const Hop& hop, double cap_m, const Visit& visit) {
+  std::size_t at = 0;
+  while (at < list.nodes.size()) {
+    const BallNode& node = list.nodes[at];
+    // A tree of few is one leaf: asking the node would only cost.
+    if (list.nodes.size() > 1) {
+      const Real reach = broadcast((node.radius_m + cap_m) * (1.0 + BallTree::kRoundingOfReach)) +
+                         broadcast(BallTree::kRoundingOfHop) * hop.length;
+      const Real square = square_to(hop, node.centre_m.x(), node.centre_m.y(), node.centre_m.z());
+      if (!any(square < reach * reach)) {
+        at = node.next;
+        continue;
+      }
+    }
+    if (node.is_leaf) {
+      for (std::size_t i = node.first; i < node.first + node.count; ++i) visit(i);
+    }
+    ++at;
+  }
 }
 
 inline Ray ray_to(const Hop& hop, const FieldSolid& solid) {
@@ -61,18 +89,18 @@ void add_violation(const SolidList& list, const LanePoint& from, const LanePoint
   const Hop hop = hop_of(from, to);
   const Real zero = broadcast(0.0);
   Real sum = load(sum_m.data());
-  for (const std::size_t i : list.standing) {
+  for_each_in_reach(list, hop, 0.0, [&](std::size_t i) {
     const FieldSolid& solid = list.solids[i];
     const Real square = ball_square(hop, solid);
     const double reach = solid.ball_radius_m + solid.required_m;
     const Mask near = square < broadcast(reach * reach);
-    if (!any(near)) continue;
+    if (!any(near)) return;
     const Real depth = solid.kind == SolidKind::kSphere
                            ? broadcast(reach) - root(square)
                            : broadcast(solid.required_m) -
                                  solid_distance(hop, solid, list.supports, solid.required_m);
     sum += select(near, largest(depth, zero), zero);
-  }
+  });
   store(sum, sum_m.data());
 }
 
@@ -80,11 +108,11 @@ std::size_t distances(const SolidList& list, const LanePoint& from, const LanePo
                       LaneDistance* out) {
   const Hop hop = hop_of(from, to);
   std::size_t count = 0;
-  for (const std::size_t i : list.standing) {
+  for_each_in_reach(list, hop, cap_m, [&](std::size_t i) {
     const FieldSolid& solid = list.solids[i];
     const Real square = ball_square(hop, solid);
     const double reach = solid.ball_radius_m + cap_m;
-    if (!any(square < broadcast(reach * reach))) continue;
+    if (!any(square < broadcast(reach * reach))) return;
     const Real distance =
         solid.kind == SolidKind::kSphere
             ? root(square) - broadcast(solid.radius_m)
@@ -92,7 +120,7 @@ std::size_t distances(const SolidList& list, const LanePoint& from, const LanePo
     out[count].obstacle = i;
     store(distance, out[count].signed_distance_m.data());
     ++count;
-  }
+  });
   return count;
 }
 

@@ -63,8 +63,15 @@ const std::array<Vec3, kMeshDirections>& mesh_directions() {
   return kTable;
 }
 
-bool FieldSolid::stands_for_ever() const {
-  return velocity_mps == Vec3::Zero() && valid_until_s == std::numeric_limits<double>::infinity();
+bool stands_for_ever(const Obstacle& obstacle) {
+  return !obstacle.moves() && obstacle.valid_until_s == std::numeric_limits<double>::infinity();
+}
+
+Ball ball_of(const Shape& shape) {
+  if (const auto* sphere = std::get_if<Sphere>(&shape)) return {Vec3::Zero(), sphere->radius_m};
+  const Extent box = extent(shape);
+  const Vec3 middle = 0.5 * (box.min_m + box.max_m);
+  return {middle, std::min(0.5 * (box.max_m - box.min_m).norm(), bounding_radius_m(shape) + middle.norm())};
 }
 
 FieldSolid field_solid(const Obstacle& obstacle, double required_m, std::vector<double>& supports) {
@@ -82,11 +89,9 @@ FieldSolid field_solid(const Obstacle& obstacle, double required_m, std::vector<
   if (const auto* mesh = std::get_if<ConvexMesh>(&obstacle.shape)) set_mesh(solid, *mesh, supports);
   const Extent box = extent(obstacle.shape);
   solid.half_extent_m = 0.5 * (box.max_m - box.min_m);
-  solid.ball_offset_m = 0.5 * (box.min_m + box.max_m);
-  solid.ball_radius_m = solid.kind == SolidKind::kSphere
-                            ? solid.radius_m
-                            : std::min(solid.half_extent_m.norm(),
-                                       bounding_radius_m(obstacle.shape) + solid.ball_offset_m.norm());
+  const Ball ball = ball_of(obstacle.shape);
+  solid.ball_offset_m = ball.offset_m;
+  solid.ball_radius_m = ball.radius_m;
   return solid;
 }
 

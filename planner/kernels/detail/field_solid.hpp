@@ -36,9 +36,16 @@ struct FieldSolid {
   std::size_t first_support = 0;  ///< of kMeshDirections
   std::uint32_t id = 0;
   SolidKind kind = SolidKind::kSphere;
-
-  bool stands_for_ever() const;
 };
+
+bool stands_for_ever(const Obstacle& obstacle);
+
+/// A ball that holds the shape, relative to its position.
+struct Ball {
+  Vec3 offset_m;
+  double radius_m;
+};
+Ball ball_of(const Shape& shape);
 
 /// The obstacle with the distance to keep from it. Appends to `supports` for a mesh.
 FieldSolid field_solid(const Obstacle& obstacle, double required_m, std::vector<double>& supports);

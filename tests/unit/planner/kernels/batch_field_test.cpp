@@ -62,8 +62,7 @@ TEST(BatchField, GivesWhatTheFieldGivesLaneByLane) {
       const Vec3 a = hops.from(lane);
       const Vec3 b = hops.to(lane);
       double expected_m = 0.0;
-      for (std::size_t i = 0; i < field.size(); ++i) {
-        if (!field.solids()[i].stands_for_ever()) continue;
+      for (std::size_t i = 0; i < field.standing(); ++i) {
         expected_m += field.violation_m(i, a, 0.0, b, 1.0);
         const double distance = field.approach(i, a, 0.0, b, 1.0).signed_distance_m;
         const auto found =
@@ -73,8 +72,7 @@ TEST(BatchField, GivesWhatTheFieldGivesLaneByLane) {
         } else {
           EXPECT_NEAR(found->signed_distance_m[lane], distance, 1e-8);
         }
-        const Vec3 centre = world->obstacles()[i].position_m;
-        EXPECT_EQ(field.id(i), world->obstacles()[i].id);
+        const Vec3 centre = world->obstacles()[field.id(i) - 1].position_m;
         const Vec2 p = a.head<2>() - centre.head<2>();
         const Vec2 d = b.head<2>() - a.head<2>();
         const double s = d.squaredNorm() > 0.0 ? std::clamp(-p.dot(d) / d.squaredNorm(), 0.0, 1.0) : 0.0;
@@ -110,9 +108,8 @@ TEST(BatchField, EveryWidthOfRegistersGivesTheSameBits) {
   const auto kernels = detail::batch_kernels();
   for (int trial = 0; trial < 300; ++trial) {
     const ObstacleField field(random_world(rng, 12), VehicleLimits{});
-    std::vector<std::size_t> all(field.size());
-    for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;
-    const detail::SolidList list{field.solids().data(), all, field.supports().data()};
+    const detail::SolidList list{field.solids().data(), field.standing_tree().nodes(),
+                                 field.supports().data()};
     const Hops hops = random_hops(rng, kLo, kHi);
     Lanes expected_m = Lanes::Zero();
     std::vector<LaneDistance> expected(field.size());
