@@ -35,12 +35,13 @@ void StripTrack::add(double time_s, const Vec3& position_m) {
   if (now.good) {
     seen_ = true;
     Gap piece{now.along_m, now.along_m};
-    if (last_ && last_->good) {
-      const double step = std::abs(now.along_m - last_->along_m);
+    // Backwards along the line is the way to its entry, not the leg.
+    if (last_ && last_->good && now.along_m >= last_->along_m) {
+      const double step = now.along_m - last_->along_m;
       const double duration = now.time_s - last_->time_s;
       longest_step_m_ = std::max(longest_step_m_, step);
       if (duration <= kJoined_s || step >= kStraightShare * params_.speed_mps * duration) {
-        piece = {std::min(now.along_m, last_->along_m), std::max(now.along_m, last_->along_m)};
+        piece = {last_->along_m, now.along_m};
       }
     }
     if (!flown_.empty() && piece.from_m <= flown_.back().to_m + 1e-9 &&

@@ -20,8 +20,9 @@ struct Gap {
   double to_m = 0.0;
 };
 
-/// Follows what of one leg was really flown, from positions. Two positions on the line with nothing off it
-/// between them are taken as joined; how finely the ends are known depends on how often positions come.
+/// Follows what of one leg was really flown, from its entry towards its exit, from positions. Two positions
+/// on the line with nothing off it between them are taken as joined; how finely the ends are known depends on
+/// how often positions come.
 class StripTrack {
  public:
   StripTrack(const Leg& leg, const TrackParams& params)
