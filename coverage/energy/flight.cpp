@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace swallowtail::coverage {
 namespace {
@@ -42,12 +43,25 @@ FlightCost FlightModel::landing(const Vec3& at) const {
   return stop() + vertical(std::min(0.0, ground(at).z() - at.z()));
 }
 
-double FlightModel::transfer_altitude(const Vec3& from, const Vec3& to) const {
-  const double ends = std::max(from.z(), to.z());
-  if (terrain_->is_flat()) return std::max(ends, terrain_->flat_elevation_m());
-  const double top = -terrain_->min_height_above(flat(from), flat(to));
-  const double needed = top + limits_.clearance_m() + kTransferMargin_m;
-  return needed > ends + kSamePlace_m ? needed : ends;
+std::vector<Vec3> FlightModel::way(const Vec3& from, const Vec3& to) const {
+  std::vector<Vec3> out{flat(from)};
+  if (ways_ != nullptr) {
+    for (const Vec2& corner : ways_->corners(from.head<2>(), to.head<2>()))
+      out.emplace_back(corner.x(), corner.y(), 0.0);
+  }
+  out.push_back(flat(to));
+  double altitude = std::max(from.z(), to.z());
+  if (terrain_->is_flat()) {
+    altitude = std::max(altitude, terrain_->flat_elevation_m());
+  } else {
+    double top = -std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i + 1 < out.size(); ++i)
+      top = std::max(top, -terrain_->min_height_above(out[i], out[i + 1]));
+    const double needed = top + limits_.clearance_m() + kTransferMargin_m;
+    if (needed > altitude + kSamePlace_m) altitude = needed;
+  }
+  for (Vec3& p : out) p.z() = altitude;
+  return out;
 }
 
 FlightCost FlightModel::turn(const Vec3& before, const Vec3& after) const {
@@ -55,21 +69,24 @@ FlightCost FlightModel::turn(const Vec3& before, const Vec3& after) const {
   return angle > limits_.turn_max_rad + 1e-9 ? stop() : FlightCost{};
 }
 
-FlightCost FlightModel::level_part(const Vec3& from, const Vec3& to, const Ends& ends) const {
-  const Vec3 way = flat(to - from);
-  const double length = way.norm();
-  if (length < kSamePlace_m) {
-    if (ends.before && ends.after) return turn(*ends.before, *ends.after);
-    return {};
+FlightCost FlightModel::level_part(const std::vector<Vec3>& way, const Ends& ends) const {
+  std::optional<Vec3> before = ends.before;
+  FlightCost cost;
+  for (std::size_t i = 0; i + 1 < way.size(); ++i) {
+    const Vec3 along = way[i + 1] - way[i];
+    const double length = along.norm();
+    if (length < kSamePlace_m) continue;
+    cost += level(length);
+    if (before) cost += turn(*before, along);
+    before = along;
   }
-  FlightCost cost = level(length);
-  if (ends.before) cost += turn(*ends.before, way);
-  if (ends.after) cost += turn(way, *ends.after);
+  if (before && ends.after) cost += turn(*before, *ends.after);
   return cost;
 }
 
 FlightCost FlightModel::transfer(const Vec3& from, const Vec3& to, const Ends& ends) const {
-  const double altitude = transfer_altitude(from, to);
+  const std::vector<Vec3> way_there = way(from, to);
+  const double altitude = way_there.front().z();
   Ends level_ends = ends;
   FlightCost cost;
   const bool climbs = differs(altitude, from.z());
@@ -82,7 +99,7 @@ FlightCost FlightModel::transfer(const Vec3& from, const Vec3& to, const Ends& e
     cost += stop() + vertical(to.z() - altitude) + (ends.after ? stop() : FlightCost{});
     level_ends.after.reset();
   }
-  return cost + level_part(from, to, level_ends);
+  return cost + level_part(way_there, level_ends);
 }
 
 FlightCost FlightModel::take_off_to(const Vec3& from, const Vec3& to,

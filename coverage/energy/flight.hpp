@@ -1,8 +1,10 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "coverage/energy/battery.hpp"
+#include "coverage/field/ways.hpp"
 #include "planner/base/vec.hpp"
 #include "planner/path/path.hpp"
 #include "planner/world/terrain.hpp"
@@ -31,12 +33,12 @@ struct FlightCost {
 /// Predicts flights the way the planner flies them (planner::time_route): level at cruise speed, vertical
 /// climbs first and descents last, a stop of planner::kStopToTurn_s where a vertical part begins or ends in
 /// the air and where the turn limit would be broken. Transfers climb over the ground between their ends where
-/// it stands higher than they are. Borrows the terrain.
+/// it stands higher than they are, and go round what `ways` leaves aside. Borrows the terrain and the ways.
 class FlightModel {
  public:
   FlightModel(const planner::VehicleLimits& limits, const EnergyModel& energy,
-              const planner::Terrain& terrain)
-      : limits_(limits), energy_(energy), terrain_(&terrain) {}
+              const planner::Terrain& terrain, const Ways* ways = nullptr)
+      : limits_(limits), energy_(energy), terrain_(&terrain), ways_(ways) {}
 
   /// Level, straight.
   FlightCost level(double length_m) const;
@@ -61,6 +63,10 @@ class FlightModel {
   /// In the air from `from` to the ground below `to`.
   FlightCost transfer_and_land(const Vec3& from, const std::optional<Vec3>& before, const Vec3& to) const;
 
+  /// The places a transfer leads through, at its altitude, both ends' included: from there it climbs or
+  /// descends to `from` and `to`.
+  std::vector<Vec3> way(const Vec3& from, const Vec3& to) const;
+
   /// The site on the ground below a place.
   Vec3 ground(const Vec3& at) const;
   const planner::Terrain& terrain() const { return *terrain_; }
@@ -68,14 +74,15 @@ class FlightModel {
   const EnergyModel& energy_model() const { return energy_; }
 
  private:
-  double transfer_altitude(const Vec3& from, const Vec3& to) const;
+  double transfer_altitude(const Vec3& from, const Vec3& to) const { return way(from, to).front().z(); }
   /// Stop or not between two directions.
   FlightCost turn(const Vec3& before, const Vec3& after) const;
-  FlightCost level_part(const Vec3& from, const Vec3& to, const Ends& ends) const;
+  FlightCost level_part(const std::vector<Vec3>& way, const Ends& ends) const;
 
   planner::VehicleLimits limits_;
   EnergyModel energy_;
   const planner::Terrain* terrain_;
+  const Ways* ways_;
 };
 
 }  // namespace swallowtail::coverage

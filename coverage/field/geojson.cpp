@@ -5,7 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
+#include <fstream>
+#include <limits>
 #include <memory>
 #include <span>
 
@@ -16,6 +19,7 @@ namespace {
 
 constexpr double kMaxDistance_m =
     2e5;  ///< of a vertex from the origin: beyond, the local frame is no longer true to scale
+constexpr double kNoFlyDistance_m = 2e4;
 
 struct Dataset {
   struct Close {
@@ -28,6 +32,7 @@ struct RawField {
   std::string name;
   std::string height_class;
   std::optional<double> height_m;
+  bool no_fly = false;
   Polygon polygon;  ///< (lon, lat) or metres
 };
 
@@ -47,8 +52,11 @@ void add_polygons(const OGRGeometry& geometry, const RawField& like, std::vector
   const auto type = wkbFlatten(geometry.getGeometryType());
   if (type == wkbPolygon) {
     const OGRPolygon& polygon = *geometry.toPolygon();
-    if (polygon.getExteriorRing() == nullptr) return;
     RawField field = like;
+    if (polygon.getExteriorRing() == nullptr) {
+      out.push_back(std::move(field));  // empty: left for clean() to name
+      return;
+    }
     field.polygon.outline = read_ring(*polygon.getExteriorRing());
     for (int i = 0; i < polygon.getNumInteriorRings(); ++i)
       field.polygon.holes.push_back(read_ring(*polygon.getInteriorRing(i)));
@@ -73,6 +81,8 @@ RawField read_properties(const OGRFeature& feature, bool& says_local) {
   out.name = text("id").value_or(text("name").value_or("field-" + std::to_string(feature.GetFID())));
   out.height_class = text("class").value_or("");
   if (text("height_m")) out.height_m = feature.GetFieldAsDouble(feature.GetFieldIndex("height_m"));
+  const std::string no_fly = text("no_fly").value_or("");
+  out.no_fly = no_fly == "1" || no_fly == "true" || out.height_class == "no-fly";
   if (text("crs").value_or("") == "local metres") says_local = true;
   return out;
 }
@@ -100,19 +110,10 @@ bool beyond_degrees(const std::vector<RawField>& fields, std::size_t first) {
       });
 }
 
-Status read_layer(OGRLayer& layer, RawFile& out) {
-  const std::size_t first = out.fields.size();
-  const OGRSpatialReference* reference = layer.GetSpatialRef();
-  bool says_local = reference != nullptr && reference->IsLocal() != 0;
-  for (auto& feature : layer) {
-    const RawField like = read_properties(*feature, says_local);
-    if (feature->GetGeometryRef() != nullptr) add_polygons(*feature->GetGeometryRef(), like, out.fields);
-    if (out.fields.size() > kMaxFileFields) return bad_input("The file holds more than 10000 polygons.");
-  }
-  const bool geographic = reference != nullptr && reference->IsGeographic() != 0;
+/// Brings the fields from `first` on to degrees, or takes them as local metres.
+Status settle_frame(const OGRSpatialReference* reference, bool says_local, std::size_t first, RawFile& out) {
   const bool projected = reference != nullptr && reference->IsProjected() != 0;
-  if (says_local ||
-      (!projected && (beyond_degrees(out.fields, first) || (reference == nullptr && !geographic)))) {
+  if (says_local || (!projected && (beyond_degrees(out.fields, first) || reference == nullptr))) {
     out.is_local = true;
     return {};
   }
@@ -132,33 +133,84 @@ Status read_layer(OGRLayer& layer, RawFile& out) {
   return {};
 }
 
-Result<RawFile> read_raw(const std::string& path) {
-  GDALAllRegister();
-  CPLPushErrorHandler(CPLQuietErrorHandler);
+Status read_layer(OGRLayer& layer, RawFile& out) {
+  const std::size_t first = out.fields.size();
+  const OGRSpatialReference* reference = layer.GetSpatialRef();
+  bool says_local = reference != nullptr && reference->IsLocal() != 0;
+  for (auto& feature : layer) {
+    const RawField like = read_properties(*feature, says_local);
+    if (feature->GetGeometryRef() != nullptr) add_polygons(*feature->GetGeometryRef(), like, out.fields);
+    if (out.fields.size() > kMaxFileFields) return bad_input("The file holds more than 10000 polygons.");
+  }
+  return settle_frame(reference, says_local, first, out);
+}
+
+/// A geometry a line, "SRID=number;" before it where it is not WGS 84.
+Result<RawFile> read_wkt(const std::string& path) {
+  std::ifstream stream(path);
+  RawFile out;
+  std::string line;
+  for (int number = 1; std::getline(stream, line); ++number) {
+    if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
+    const std::string where = "'" + path + "', line " + std::to_string(number) + ": ";
+    OGRSpatialReference reference;
+    reference.SetWellKnownGeogCS("WGS84");
+    std::size_t begin = 0;
+    if (line.rfind("SRID=", 0) == 0) {
+      begin = line.find(';');
+      if (begin == std::string::npos || reference.importFromEPSG(std::atoi(line.c_str() + 5)) != OGRERR_NONE)
+        return bad_input(where + "the SRID is not known.");
+      ++begin;
+    }
+    OGRGeometry* geometry = nullptr;
+    const OGRErr error = OGRGeometryFactory::createFromWkt(line.c_str() + begin, nullptr, &geometry);
+    const std::unique_ptr<OGRGeometry> owned(geometry);
+    if (error != OGRERR_NONE || !owned) return bad_input(where + "is not a geometry in WKT.");
+    const std::size_t first = out.fields.size();
+    RawField like;
+    like.name = "line-" + std::to_string(number);
+    add_polygons(*owned, like, out.fields);
+    if (out.fields.size() > kMaxFileFields) return bad_input(where + "more than 10000 polygons.");
+    if (const Status status = settle_frame(&reference, false, first, out); !status)
+      return bad_input(where + status.error().message);
+  }
+  return out;
+}
+
+Result<RawFile> read_vector(const std::string& path) {
   const Dataset dataset{decltype(Dataset::owner)(static_cast<GDALDataset*>(
       GDALOpenEx(path.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY, nullptr, nullptr, nullptr)))};
-  RawFile out;
-  Status status;
-  if (dataset.owner) {
-    for (OGRLayer* layer : dataset.owner->GetLayers()) {
-      if (status.ok()) status = read_layer(*layer, out);
-    }
-  }
-  CPLPopErrorHandler();
   if (!dataset.owner) return bad_input("'" + path + "' is not a vector file that GDAL can read.");
-  if (!status) return Error{status.error().code, "'" + path + "': " + status.error().message};
-  if (out.fields.empty()) return bad_input("'" + path + "' holds no polygon.");
+  RawFile out;
+  for (OGRLayer* layer : dataset.owner->GetLayers()) {
+    if (const Status status = read_layer(*layer, out); !status)
+      return Error{status.error().code, "'" + path + "': " + status.error().message};
+  }
+  return out;
+}
+
+Result<RawFile> read_raw(const std::string& path) {
+  std::error_code ignored;
+  if (!std::filesystem::exists(path, ignored)) return not_found("There is no file '" + path + "'.");
+  GDALAllRegister();
+  CPLPushErrorHandler(CPLQuietErrorHandler);
+  Result<RawFile> out = path.ends_with(".wkt") ? read_wkt(path) : read_vector(path);
+  CPLPopErrorHandler();
+  if (out && out->fields.empty()) return bad_input("'" + path + "' holds no polygon.");
   return out;
 }
 
 planner::GeoOrigin middle_of(std::span<const RawField> fields) {
-  Box box{fields.front().polygon.outline.front(), fields.front().polygon.outline.front()};
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  Box box{Vec2(kFar, kFar), Vec2(-kFar, -kFar)};
   for (const RawField& field : fields) {
     for (const Vec2& p : field.polygon.outline) {
+      if (!is_finite(p)) continue;
       box.lo = box.lo.cwiseMin(p);
       box.hi = box.hi.cwiseMax(p);
     }
   }
+  if (box.lo.x() > box.hi.x()) return {};
   const Vec2 middle = (box.lo + box.hi) / 2.0;
   return {middle.y(), middle.x(), 0.0};
 }
@@ -183,6 +235,20 @@ Status to_local(Polygon& polygon, const planner::GeoOrigin& origin) {
   return status;
 }
 
+/// The areas in the frame around the origin (or as they are), those far from it left out.
+std::vector<Polygon> near(const std::vector<RawField>& areas,
+                          const std::optional<planner::GeoOrigin>& origin) {
+  std::vector<Polygon> out;
+  for (const RawField& area : areas) {
+    Polygon polygon = area.polygon;
+    const bool usable = !origin || to_local(polygon, *origin).ok();
+    if (!usable || polygon.outline.empty()) continue;
+    if (origin && polygon.outline.front().norm() > kNoFlyDistance_m) continue;
+    out.push_back(std::move(polygon));
+  }
+  return out;
+}
+
 Result<double> height_of(const RawField& field, const FieldFileOptions& options) {
   double height = options.default_height_m;
   const auto known = options.class_heights_m.find(field.height_class);
@@ -197,13 +263,24 @@ Result<double> height_of(const RawField& field, const FieldFileOptions& options)
 }  // namespace
 
 Result<FieldFile> read_fields(const std::string& path, const FieldFileOptions& options) {
-  std::error_code ignored;
-  if (!std::filesystem::exists(path, ignored)) return not_found("There is no file '" + path + "'.");
   Result<RawFile> raw = read_raw(path);
   if (!raw) return raw.error();
+  std::vector<RawField> no_fly;
+  if (!options.no_fly_file.empty()) {
+    Result<RawFile> more = read_raw(options.no_fly_file);
+    if (!more) return more.error();
+    if (more->is_local != raw->is_local) {
+      return bad_input("'" + options.no_fly_file + "' and '" + path +
+                       "': one is in local metres, the other on Earth.");
+    }
+    no_fly = std::move(more->fields);
+  }
+  for (RawField& field : raw->fields) {
+    if (field.no_fly) no_fly.push_back(std::move(field));
+  }
+  std::erase_if(raw->fields, [](const RawField& field) { return field.no_fly; });
+  if (raw->fields.empty()) return bad_input("'" + path + "' holds no polygon to cover.");
   FieldFile out;
-  std::erase_if(raw->fields, [](const RawField& field) { return field.polygon.outline.empty(); });
-  if (raw->fields.empty()) return bad_input("'" + path + "' holds no polygon.");
   const bool shares = options.frame == FieldFrame::kShared;
   if (!raw->is_local && shares) out.origin = options.origin ? *options.origin : middle_of(raw->fields);
   for (RawField& field : raw->fields) {
@@ -218,6 +295,11 @@ Result<FieldFile> read_fields(const std::string& path, const FieldFileOptions& o
     }
     out.fields.push_back(
         {static_cast<std::uint32_t>(out.fields.size() + 1), field.name, std::move(field.polygon), *height});
+  }
+  if (out.origins.empty()) {
+    out.no_fly.push_back(near(no_fly, out.origin));
+  } else {
+    for (const planner::GeoOrigin& origin : out.origins) out.no_fly.push_back(near(no_fly, origin));
   }
   return out;
 }

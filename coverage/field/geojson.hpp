@@ -22,6 +22,7 @@ struct FieldFileOptions {
   double default_height_m = 20.0;
   /// Height above ground by the value of the property `class`. A property `height_m` wins over it.
   std::map<std::string, double> class_heights_m{};
+  std::string no_fly_file{};  ///< every polygon of it is a no-fly area; empty: none
 };
 
 struct FieldFile {
@@ -29,17 +30,22 @@ struct FieldFile {
   std::optional<planner::GeoOrigin>
       origin{};  ///< of the frame the fields share; none: local metres, or a frame per field
   std::vector<planner::GeoOrigin> origins;  ///< one per field with FieldFrame::kPerField, else empty
+  /// Polygons neither to cover nor to cross: of features whose property `no_fly` is true or whose `class` is
+  /// "no-fly", and of no_fly_file. One list, or one per field in its own frame with FieldFrame::kPerField
+  /// (areas more than 20 km away left out).
+  std::vector<std::vector<Polygon>> no_fly{};
 };
 
 inline constexpr std::size_t kMaxFileFields = 10'000;
 
-/// Reads every polygon of a GeoJSON, KML or any other vector file that GDAL knows. A multi-polygon is several
-/// fields. Coordinates are taken as local metres when the file says so (a property or member `crs` of "local
-/// metres", or a projection of type local/engineering) or when they lie beyond degrees although no projection
-/// is named; else they are projected into the local frame. Polygons are not cleaned here, so that one bad
-/// field does not spoil a file: cut_field refuses it. Errors (kNotFound): no such file. (kBadInput): not a
-/// vector file, no polygon in it, a height that is not positive, too many fields, coordinates far from the
-/// origin.
+/// Reads every polygon of a GeoJSON, KML, Shapefile or any other vector file that GDAL knows, or of a .wkt
+/// file (one geometry a line, "SRID=number;" before it where it is not WGS 84). A multi-polygon is several
+/// fields, named name/0, name/1 … Coordinates are taken as local metres when the file says so (a property or
+/// member `crs` of "local metres", or a projection of type local/engineering) or when they lie beyond degrees
+/// although no projection is named; else they are projected into the local frame. Polygons are not cleaned
+/// here, and empty ones kept, so that one bad field does not spoil a file: cut_field refuses it. Errors
+/// (kNotFound): no such file. (kBadInput): not a vector file, no polygon in it, a height that is not
+/// positive, too many fields, coordinates far from the origin.
 Result<FieldFile> read_fields(const std::string& path, const FieldFileOptions& options);
 
 }  // namespace swallowtail::coverage

@@ -1,7 +1,10 @@
 #include "coverage/field/polygon.hpp"
 
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <string>
+#include <utility>
 
 #include "coverage/field/detail/geos.hpp"
 #include "planner/base/checks.hpp"
@@ -41,12 +44,46 @@ Ring simplified(Ring ring) {
   return ring;
 }
 
-Status check_coordinates(const Ring& ring) {
+Status check_coordinates(const Ring& ring, const std::string& name) {
   for (std::size_t i = 0; i < ring.size(); ++i) {
-    const bool good = is_finite(ring[i]) && ring[i].cwiseAbs().maxCoeff() <= kMaxCoordinate_m;
-    if (!good) return bad_input("Vertex " + std::to_string(i) + " is not finite or lies beyond 1e6 m.");
+    if (is_finite(ring[i]) && ring[i].cwiseAbs().maxCoeff() <= kMaxCoordinate_m) continue;
+    std::string message = "Vertex " + std::to_string(i) + " of " + name;
+    if (i > 0) message += ", after " + place_text(ring[i - 1]) + ",";
+    return bad_input(message + " is not finite or lies beyond 1e6 m.");
   }
   return {};
+}
+
+Ring turned_round(const Ring& ring) { return {ring.rbegin(), ring.rend()}; }
+
+/// Without redundant vertices and rings of no area, every ring turned its way.
+Polygon tidied(const Polygon& raw) {
+  Polygon out;
+  out.outline = simplified(raw.outline);
+  if (out.outline.size() >= 3 && signed_area_m2(out.outline) < 0.0) out.outline = turned_round(out.outline);
+  for (const Ring& hole : raw.holes) {
+    Ring ring = simplified(hole);
+    if (ring.size() < 3 || std::abs(signed_area_m2(ring)) < kLeastRingArea_m2) continue;
+    out.holes.push_back(signed_area_m2(ring) > 0.0 ? turned_round(ring) : std::move(ring));
+  }
+  return out;
+}
+
+Result<std::vector<Polygon>> repaired(const Polygon& polygon, const detail::Fault& fault) {
+  std::vector<Polygon> out;
+  double area = 0.0;
+  for (const Polygon& part : detail::Shape::repaired(polygon).parts()) {
+    Polygon tidy = tidied(part);
+    if (tidy.outline.size() < 3 || area_m2(tidy) < kLeastRingArea_m2) continue;
+    area += area_m2(tidy);
+    out.push_back(std::move(tidy));
+  }
+  const double meant = area_m2(polygon);
+  const double outline = std::abs(signed_area_m2(polygon.outline));
+  if (out.empty() || std::abs(area - meant) > kRepairedShare * outline) {
+    return bad_input("The polygon is not valid: " + fault.what + " at " + place_text(fault.place_m) + ".");
+  }
+  return out;
 }
 
 }  // namespace
@@ -112,38 +149,30 @@ Polygon rotated(const Polygon& polygon, double angle_rad) {
   return out;
 }
 
-Result<Polygon> clean(const Polygon& raw) {
+std::string place_text(const Vec2& place_m) {
+  std::array<char, 64> text{};
+  std::snprintf(text.data(), text.size(), "(%.2f, %.2f) m", place_m.x(), place_m.y());
+  return text.data();
+}
+
+Result<std::vector<Polygon>> clean(const Polygon& raw) {
   std::size_t vertices = raw.outline.size();
   for (const Ring& hole : raw.holes) vertices += hole.size();
   if (vertices > kMaxPolygonVertices) {
     return bad_input("The polygon has " + std::to_string(vertices) + " vertices; at most 100000 are taken.");
   }
-  if (const Status status = check_coordinates(raw.outline); !status) return status.error();
-  for (const Ring& hole : raw.holes) {
-    if (const Status status = check_coordinates(hole); !status) return status.error();
+  if (const Status status = check_coordinates(raw.outline, "the outline"); !status) return status.error();
+  for (std::size_t i = 0; i < raw.holes.size(); ++i) {
+    const Status status = check_coordinates(raw.holes[i], "hole " + std::to_string(i));
+    if (!status) return status.error();
   }
-  Polygon out;
-  out.outline = simplified(raw.outline);
-  if (out.outline.size() < 3 || std::abs(signed_area_m2(out.outline)) < kLeastRingArea_m2) {
-    // A bow tie's halves cancel out: say what is really wrong with it.
-    if (raw.outline.size() >= 4) {
-      if (const Status status =
-              detail::check_validity({out.outline.size() >= 3 ? out.outline : raw.outline, {}});
-          !status && out.outline.size() >= 3) {
-        return status.error();
-      }
-    }
-    return bad_input("The outline has no area.");
-  }
-  if (signed_area_m2(out.outline) < 0.0) out.outline = Ring(out.outline.rbegin(), out.outline.rend());
-  for (const Ring& hole : raw.holes) {
-    Ring ring = simplified(hole);
-    if (ring.size() < 3 || std::abs(signed_area_m2(ring)) < kLeastRingArea_m2) continue;
-    if (signed_area_m2(ring) > 0.0) ring = Ring(ring.rbegin(), ring.rend());
-    out.holes.push_back(std::move(ring));
-  }
-  if (const Status status = detail::check_validity(out); !status) return status.error();
-  return out;
+  if (raw.outline.empty()) return bad_input("The polygon is empty: its outline has no vertex.");
+  const Polygon polygon = tidied(raw);
+  const std::string no_area = "The outline has no area at " + place_text(raw.outline.front()) + ".";
+  if (polygon.outline.size() < 3) return bad_input(no_area);
+  if (const auto fault = detail::find_fault(polygon)) return repaired(polygon, *fault);
+  if (std::abs(signed_area_m2(polygon.outline)) < kLeastRingArea_m2) return bad_input(no_area);
+  return std::vector<Polygon>{polygon};
 }
 
 }  // namespace swallowtail::coverage

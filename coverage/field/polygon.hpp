@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "planner/base/result.hpp"
@@ -25,11 +26,20 @@ inline constexpr double kRepeatedVertex_m = 1e-3;  ///< vertices nearer than thi
 inline constexpr double kCollinear_m =
     1e-4;  ///< a vertex nearer than this to the chord of its neighbours is left out
 
-/// The same area without repeated, collinear and closing vertices and without spikes; the outline
-/// counter-clockwise, holes clockwise; holes of no area left out. Errors (kBadInput), each named in the
-/// message: a coordinate that is not finite or beyond 1e6 m, too many vertices, a ring of no area, a
-/// self-intersection (with its place), a hole outside the outline or in another hole.
-Result<Polygon> clean(const Polygon& raw);
+/// How much of its area a polygon may gain or lose by being made valid; more is refused.
+inline constexpr double kRepairedShare = 0.005;
+
+/// The same area without repeated, collinear and closing vertices and without spikes, as one polygon or,
+/// where holes or the outline's own touch cut it through, as several; outlines counter-clockwise, holes
+/// clockwise; holes and parts of no area left out. Small loops, holes that touch, overlap or stick out a
+/// little are made valid. Errors (kBadInput), each named in the message with its place: a coordinate that is
+/// not finite or beyond 1e6 m, too many vertices, an outline of no area, a polygon that could only be made
+/// valid by changing more than kRepairedShare of its area (a bow tie, a hole outside the outline, holes in
+/// holes).
+Result<std::vector<Polygon>> clean(const Polygon& raw);
+
+/// "(12.3, -4.5) m", for messages.
+std::string place_text(const Vec2& place_m);
 
 /// Signed area of a ring: positive counter-clockwise.
 double signed_area_m2(const Ring& ring);

@@ -6,196 +6,186 @@
 #include <utility>
 
 #include "coverage/field/detail/geos.hpp"
+#include "coverage/field/detail/lines.hpp"
+#include "coverage/field/detail/rest.hpp"
+#include "coverage/field/detail/simplify.hpp"
+#include "coverage/field/detail/trim.hpp"
 #include "coverage/field/sweep.hpp"
 #include "planner/base/checks.hpp"
 
 namespace swallowtail::coverage {
 namespace {
 
-constexpr int kMaxDepth = 6;
-/// Parts smaller than this share of a sensor's square are not flown on their own.
-constexpr double kLeastPart = 2e-4;
+/// Part of kUncoveredShare that lines along borders may leave, the rest is for drawing pieces in.
+constexpr double kRestShare = 0.7;
+/// Sweep directions that are cut and compared.
+constexpr std::size_t kSweepsTried = 3;
+constexpr double kBetter_m = 1e-6;
 
-struct Interval {
-  double from = 0.0;
-  double to = 0.0;
+double spacing_m(const StripParams& params) { return params.sensor_width_m * (1.0 - params.overlap); }
+
+/// Strips in the frame in which they run along x.
+struct Cut {
+  int count = 0;
+  double width_m = 0.0;
+  std::vector<detail::Segment> pieces;
 };
 
-/// A horizontal line to fly, in the turned frame.
-struct Line {
-  double from_x = 0.0;
-  double to_x = 0.0;
-  double y = 0.0;
-};
-
-void add_crossings(const Ring& ring, double y, std::vector<double>& xs) {
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const Vec2& a = ring[i];
-    const Vec2& b = ring[(i + 1) % ring.size()];
-    if ((a.y() > y) != (b.y() > y)) xs.push_back(a.x() + (b.x() - a.x()) * (y - a.y()) / (b.y() - a.y()));
+/// Lines along the border: rings inside it, their straight stretches prolonged into the corners.
+void add_headland(const Polygon& turned, const StripParams& params, Cut& out) {
+  const int rounds = strip_count(params.headland_m, spacing_m(params));
+  const detail::Shape field = detail::Shape::of(turned);
+  for (int r = 0; r < rounds; ++r) {
+    const double depth = params.headland_m * (r + 0.5) / rounds;
+    const auto add_ring = [&](const Ring& ring) {
+      const std::vector<std::size_t> corners = detail::corners_of(ring, depth / 2.0);
+      for (std::size_t k = 0; k + 1 < corners.size(); ++k) {
+        const Vec2& a = ring[corners[k]];
+        const Vec2& b = ring[corners[k + 1] % ring.size()];
+        const double length = (b - a).norm();
+        if (length < 2.0 * detail::kInside_m) continue;
+        const detail::Line line = detail::line_through(a, b);
+        for (const detail::Interval& inside : detail::inside_of(turned, line)) {
+          if (inside.from > length / 2.0 || inside.to < length / 2.0) continue;
+          out.pieces.push_back(
+              line.piece({std::max(inside.from, -depth), std::min(inside.to, length + depth)}));
+        }
+      }
+    };
+    for (const Polygon& part : field.inset(depth).parts()) {
+      add_ring(part.outline);
+      for (const Ring& hole : part.holes) add_ring(hole);
+    }
   }
 }
 
-/// Where the line at y runs within the part, in order.
-std::vector<Interval> intervals_at(const Polygon& part, double y) {
-  std::vector<double> xs;
-  add_crossings(part.outline, y, xs);
-  for (const Ring& hole : part.holes) add_crossings(hole, y, xs);
-  std::sort(xs.begin(), xs.end());
-  std::vector<Interval> out;
-  for (std::size_t i = 0; i + 1 < xs.size(); i += 2) {
-    if (xs[i + 1] > xs[i]) out.push_back({xs[i], xs[i + 1]});
+/// Over a slanted border a line is prolonged until half a sensor sideways sees what hangs on it.
+void prolong(const Polygon& turned, const detail::Shape& field, double y, double width_m,
+             std::vector<detail::Interval>& lines) {
+  const Box box = bounds_of(turned.outline);
+  const detail::Line line{Vec2(0.0, y), Vec2(1.0, 0.0)};
+  const auto crosses_hole = [&](double from, double to) {
+    return std::any_of(turned.holes.begin(), turned.holes.end(), [&](const Ring& hole) {
+      const auto inside = detail::inside_of({hole, {}}, line);
+      return std::any_of(inside.begin(), inside.end(),
+                         [&](const detail::Interval& i) { return i.from < to && i.to > from; });
+    });
+  };
+  const Box slab{{box.lo.x() - 1.0, y - width_m / 2.0}, {box.hi.x() + 1.0, y + width_m / 2.0}};
+  for (const Polygon& part : field.within(slab).parts()) {
+    const Box extent = bounds_of(part.outline);
+    detail::Interval* first = nullptr;
+    detail::Interval* last = nullptr;
+    for (detail::Interval& i : lines) {
+      if (!contains(part, Vec2((i.from + i.to) / 2.0, y))) continue;
+      if (first == nullptr) first = &i;
+      last = &i;
+    }
+    if (first == nullptr) continue;
+    if (!crosses_hole(extent.lo.x(), first->from)) first->from = std::min(first->from, extent.lo.x());
+    if (!crosses_hole(last->to, extent.hi.x())) last->to = std::max(last->to, extent.hi.x());
   }
+}
+
+/// The centre lines of the strips of an area, where they run inside it.
+Status add_lines(const Polygon& area, const StripParams& params, Cut& out) {
+  const Box box = bounds_of(area.outline);
+  const double extent = box.hi.y() - box.lo.y();
+  const int count = strip_count(extent, spacing_m(params));
+  if (out.count + count > kMaxStrips) {
+    return bad_input("The field needs " + std::to_string(out.count + count) +
+                     " strips; at most 4096 are planned.");
+  }
+  out.width_m = extent / count;
+  const bool prolongs = params.beyond == Beyond::kSlantedBorders;
+  const detail::Shape shape = prolongs ? detail::Shape::of(area) : detail::Shape();
+  for (int s = 0; s < count; ++s) {
+    const double y = box.lo.y() + (s + 0.5) * out.width_m;
+    const detail::Line line{Vec2(0.0, y), Vec2(1.0, 0.0)};
+    std::vector<detail::Interval> inside = detail::inside_of(area, line);
+    if (prolongs) prolong(area, shape, y, out.width_m, inside);
+    for (const detail::Interval& i : inside) out.pieces.push_back(line.piece(i, out.count + s));
+  }
+  out.count += count;
+  return {};
+}
+
+/// Strips, then what they leave over, then the trimming.
+Result<Strips> cut_along(const Polygon& polygon, const StripParams& params, double sweep_rad) {
+  const Polygon turned = rotated(polygon, -sweep_rad);
+  Cut cut;
+  if (params.headland_m > 0.0) {
+    add_headland(turned, params, cut);
+    for (const Polygon& part : detail::Shape::of(turned).inset(params.headland_m).parts()) {
+      if (const Status status = add_lines(part, params, cut); !status) return status.error();
+    }
+  } else if (const Status status = add_lines(turned, params, cut); !status) {
+    return status.error();
+  }
+  std::vector<Ring> seen;
+  for (const detail::Segment& piece : cut.pieces)
+    seen.push_back(detail::seen_from(piece, params.sensor_width_m));
+  const detail::Shape rest = detail::Shape::of(turned).minus(detail::Shape::of(seen));
+  if (!rest.ok()) return internal_error("GEOS could not subtract the strips from the field.");
+  const double allowed_m2 = kUncoveredShare * area_m2(polygon);
+  detail::RestCover cover =
+      detail::cover_rest(turned, rest, {params.sensor_width_m, params.piece_cost_m, kRestShare * allowed_m2});
+  Strips out{sweep_rad, cut.count, cut.width_m, {}, cover.uncovered_m2};
+  for (detail::Segment& piece : cut.pieces) {
+    if (piece.strip < 0) piece.strip = out.count++;
+  }
+  for (detail::Segment piece : cover.pieces) {
+    piece.strip = out.count++;
+    cut.pieces.push_back(piece);
+  }
+  out.count = cut.count;
+  const double may_lose = std::max(0.0, allowed_m2 - cover.uncovered_m2);
+  out.uncovered_m2 += detail::trim(turned, {params.sensor_width_m, may_lose}, cut.pieces);
+  std::stable_sort(cut.pieces.begin(), cut.pieces.end(),
+                   [](const detail::Segment& a, const detail::Segment& b) { return a.strip < b.strip; });
+  for (const detail::Segment& piece : cut.pieces)
+    out.pieces.push_back({rotated(piece.from_m, sweep_rad), rotated(piece.to_m, sweep_rad), piece.strip});
   return out;
-}
-
-/// Finds the lines that cover one field; everything in the frame in which strips run along x.
-class StripCutter {
- public:
-  StripCutter(const Polygon& field, double sensor_width_m) : field_(field), width_m_(sensor_width_m) {}
-
-  Status cover(const Polygon& part, double y, int depth);
-  std::vector<Line> take_lines() { return std::exchange(lines_, {}); }
-
- private:
-  bool is_hole(double x, double y) const {
-    return std::any_of(field_.holes.begin(), field_.holes.end(),
-                       [&](const Ring& hole) { return contains(hole, Vec2(x, y)); });
-  }
-  bool may_cross(const Interval& gap, double y) const {
-    return gap.to - gap.from <= width_m_ / 2.0 && !is_hole((gap.from + gap.to) / 2.0, y);
-  }
-  /// Whether a line may be prolonged over the gap at a part's end: along a slanted border always, over a hole
-  /// by no more than a sensor width.
-  bool may_prolong(const Interval& gap, double y) const {
-    return gap.to - gap.from <= width_m_ || !is_hole((gap.from + gap.to) / 2.0, y);
-  }
-  Status cover_gap(const Polygon& part, const Interval& gap, int depth, Line* before, Line* after);
-  Status cover_alone(const Polygon& part, int depth) {
-    const Box box = bounds_of(part.outline);
-    return cover(part, (box.lo.y() + box.hi.y()) / 2.0, depth);
-  }
-
-  const Polygon& field_;
-  double width_m_;
-  std::vector<Line> lines_;
-};
-
-Status StripCutter::cover(const Polygon& part, double y, int depth) {
-  if (area_m2(part) < kLeastPart * width_m_ * width_m_) return {};
-  const Box box = bounds_of(part.outline);
-  std::vector<Interval> inside;
-  for (const Interval& interval : intervals_at(part, y)) {
-    if (!inside.empty() && may_cross({inside.back().to, interval.from}, y)) {
-      inside.back().to = interval.to;
-    } else {
-      inside.push_back(interval);
-    }
-  }
-  const bool gives_up = depth >= kMaxDepth;
-  if (inside.empty() && depth == 0) return cover_alone(part, depth + 1);
-  if (inside.empty() || gives_up) {
-    lines_.push_back({box.lo.x(), box.hi.x(), y});
-    return {};
-  }
-  std::vector<Line> lines;
-  for (const Interval& interval : inside) lines.push_back({interval.from, interval.to, y});
-  if (const Status s = cover_gap(part, {box.lo.x(), inside.front().from}, depth, nullptr, &lines.front()); !s)
-    return s;
-  for (std::size_t i = 0; i + 1 < inside.size(); ++i) {
-    if (const Status s = cover_gap(part, {inside[i].to, inside[i + 1].from}, depth, &lines[i], &lines[i + 1]);
-        !s)
-      return s;
-  }
-  if (const Status s = cover_gap(part, {inside.back().to, box.hi.x()}, depth, &lines.back(), nullptr); !s)
-    return s;
-  lines_.insert(lines_.end(), lines.begin(), lines.end());
-  return {};
-}
-
-/// What of the part lies beside a gap of its centre line: the neighbouring lines are prolonged over what
-/// hangs on one of them, the rest gets its own.
-Status StripCutter::cover_gap(const Polygon& part, const Interval& gap, int depth, Line* before,
-                              Line* after) {
-  const double y = before != nullptr ? before->y : after->y;
-  const bool at_end = before == nullptr || after == nullptr;
-  if (gap.to - gap.from < 1e-9) return {};
-  if (at_end && may_prolong(gap, y)) {
-    if (before != nullptr) before->to_x = gap.to;
-    if (after != nullptr) after->from_x = gap.from;
-    return {};
-  }
-  const Box box = bounds_of(part.outline);
-  auto beside = detail::clip(part, {{gap.from, box.lo.y() - 1.0}, {gap.to, box.hi.y() + 1.0}});
-  if (!beside) return beside.error();
-  for (const Polygon& rest : *beside) {
-    if (area_m2(rest) < kLeastPart * width_m_ * width_m_) continue;
-    const Box extent = bounds_of(rest.outline);
-    const bool hangs_before =
-        before != nullptr && extent.lo.x() <= gap.from + 1e-6 && extent.hi.x() - gap.from <= width_m_;
-    const bool hangs_after =
-        after != nullptr && extent.hi.x() >= gap.to - 1e-6 && gap.to - extent.lo.x() <= width_m_;
-    const bool joins = hangs_before && hangs_after && before != nullptr && after != nullptr;
-    if (hangs_before && !joins) {
-      before->to_x = std::max(before->to_x, extent.hi.x());
-    } else if (hangs_after && !joins) {
-      after->from_x = std::min(after->from_x, extent.lo.x());
-    } else if (const Status s = cover_alone(rest, depth + 1); !s) {
-      return s;
-    }
-  }
-  return {};
 }
 
 }  // namespace
 
+double Strips::cost_m(double piece_cost_m) const {
+  double cost = 0.0;
+  for (const Piece& piece : pieces) cost += (piece.to_m - piece.from_m).norm() + piece_cost_m;
+  return cost;
+}
+
 Status validate(const StripParams& params) {
   if (!is_positive(params.sensor_width_m))
     return bad_input("The sensor width must be a positive number of metres.");
+  if (!is_within(params.overlap, 0.0, 0.9))
+    return bad_input("The overlap must be a share from 0 to 0.9 of the sensor's width.");
   if (params.sweep_rad && !is_finite(*params.sweep_rad))
     return bad_input("The sweep direction must be finite.");
   if (!is_non_negative(params.piece_cost_m)) return bad_input("The cost of a piece must not be negative.");
+  if (!is_non_negative(params.headland_m)) return bad_input("The headland must not be negative.");
   return {};
 }
 
 Result<Strips> cut_strips(const Polygon& polygon, const StripParams& params) {
   if (const Status status = validate(params); !status) return status.error();
-  Strips out;
   const Box raw = bounds_of(polygon.outline);
   if ((raw.hi - raw.lo).norm() / params.sensor_width_m > 4.0 * kMaxStrips) {
     return bad_input("The field is " + std::to_string((raw.hi - raw.lo).norm()) +
                      " m across: too large for a sensor of " + std::to_string(params.sensor_width_m) + " m.");
   }
-  out.sweep_rad = params.sweep_rad ? *params.sweep_rad
-                                   : best_sweep_rad(polygon, {params.sensor_width_m, params.piece_cost_m});
-  const Polygon turned = rotated(polygon, -out.sweep_rad);
-  const Box box = bounds_of(turned.outline);
-  const double extent = box.hi.y() - box.lo.y();
-  out.count = strip_count(extent, params.sensor_width_m);
-  if (out.count > kMaxStrips) {
-    return bad_input("The field needs " + std::to_string(out.count) + " strips; at most 4096 are planned.");
+  if (params.sweep_rad) return cut_along(polygon, params, *params.sweep_rad);
+  const SweepParams sweep{params.sensor_width_m, spacing_m(params), params.piece_cost_m};
+  std::optional<Result<Strips>> best;
+  for (const double angle_rad : best_sweeps_rad(polygon, sweep, kSweepsTried)) {
+    Result<Strips> strips = cut_along(polygon, params, angle_rad);
+    const bool better = strips.ok() && (!best || !best->ok() ||
+                                        strips->cost_m(params.piece_cost_m) <
+                                            best->value().cost_m(params.piece_cost_m) - kBetter_m);
+    if (!best || better) best = std::move(strips);
   }
-  out.width_m = extent / out.count;
-  const detail::Clipper clipper(turned);
-  StripCutter cutter(turned, params.sensor_width_m);
-  for (int s = 0; s < out.count; ++s) {
-    const double low = box.lo.y() + s * out.width_m;
-    auto parts = clipper.clip({{box.lo.x() - 1.0, low}, {box.hi.x() + 1.0, low + out.width_m}});
-    if (!parts) return parts.error();
-    for (const Polygon& part : *parts) {
-      if (const Status status = cutter.cover(part, low + out.width_m / 2.0, 0); !status)
-        return status.error();
-    }
-    std::vector<Line> lines = cutter.take_lines();
-    std::sort(lines.begin(), lines.end(), [](const Line& a, const Line& b) {
-      return a.from_x != b.from_x ? a.from_x < b.from_x : a.y < b.y;
-    });
-    for (const Line& line : lines) {
-      out.pieces.push_back({rotated(Vec2(line.from_x, line.y), out.sweep_rad),
-                            rotated(Vec2(line.to_x, line.y), out.sweep_rad), s});
-    }
-  }
-  return out;
+  return *best;
 }
 
 }  // namespace swallowtail::coverage

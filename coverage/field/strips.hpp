@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -7,11 +8,17 @@
 
 namespace swallowtail::coverage {
 
+/// Whether lines may leave the field where they cover a slanted border (never over holes).
+enum class Beyond : std::uint8_t { kNever, kSlantedBorders };
+
 struct StripParams {
   double sensor_width_m = 10.0;
+  double overlap = 0.0;  ///< share of the sensor's width that neighbouring strips see both, 0 … 0.9
   std::optional<double>
       sweep_rad{};  ///< flying direction, counter-clockwise from east; without it the cheapest is chosen
   double piece_cost_m = 25.0;  ///< see SweepParams
+  double headland_m = 0.0;     ///< width of a band along the border that is flown along it, before the strips
+  Beyond beyond = Beyond::kNever;
 };
 Status validate(const StripParams& params);
 
@@ -19,7 +26,7 @@ Status validate(const StripParams& params);
 struct Piece {
   Vec2 from_m = Vec2::Zero();
   Vec2 to_m = Vec2::Zero();
-  int strip = 0;
+  int strip = 0;  ///< pieces along borders have numbers of their own, after the strips'
 };
 
 struct Strips {
@@ -27,17 +34,25 @@ struct Strips {
   int count = 0;
   double width_m = 0.0;  ///< of each strip, ≤ the sensor's
   std::vector<Piece> pieces;
+  double uncovered_m2 = 0.0;  ///< what no line inside the field sees, or what is too little to be worth one
+
+  /// Metres of flight with piece_cost_m for each piece.
+  double cost_m(double piece_cost_m) const;
 };
 
 inline constexpr int kMaxStrips = 4096;
+/// What may stay uncovered for want of being worth a line, as share of the field.
+inline constexpr double kUncoveredShare = 2e-4;
 
 /// Boustrophedon strips [COV 3]: the field is cut perpendicular to the sweep direction into equal strips of
-/// at most one sensor width; each connected part of field and strip is flown along the strip's centre line
-/// over the part's full extent, so that slanted borders are covered too. Where a hole, or a notch wider than
-/// half a sensor, lies on the centre line without reaching through the strip, the line ends at it and what is
-/// left beside it gets its own line: no line passes over a hole, except over a slanted border by less than
-/// half a sensor width sideways. `polygon` must be clean. Errors (kBadInput): more than kMaxStrips strips.
-/// Departs from [COV]: strips are spread evenly, so that the last is neither missing nor half outside.
+/// at most one sensor width, and each stretch of a strip's centre line inside the field is flown. What the
+/// strips leave over along slanted borders, beside holes and in tips is covered by lines along the borders;
+/// then pieces are drawn in, or left out, where others see the same ground. No line leaves the field or
+/// crosses a hole (with Beyond::kSlantedBorders lines are instead prolonged over a slanted border, by what
+/// half a sensor sideways asks for). `polygon` must be clean. Errors (kBadInput): params; more than
+/// kMaxStrips strips. (kInternal): GEOS failed.
+/// Departs from [COV]: strips are spread evenly, so that the last is neither missing nor half outside, and
+/// borders get lines of their own.
 Result<Strips> cut_strips(const Polygon& polygon, const StripParams& params);
 
 }  // namespace swallowtail::coverage

@@ -1,8 +1,12 @@
 #include "coverage/field/sub_cells.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
+#include <utility>
 
+#include "coverage/field/detail/geos.hpp"
 #include "coverage/field/strips.hpp"
 #include "coverage/field/swath.hpp"
 #include "planner/base/checks.hpp"
@@ -86,44 +90,151 @@ void add_sub_cells(const Field& field, const Piece& piece, const Terrain& terrai
   }
 }
 
+StripParams strip_params(const CutParams& params) {
+  StripParams out;
+  out.sensor_width_m = params.sensor_width_m;
+  out.overlap = params.rules.overlap;
+  out.sweep_rad = params.sweep_rad;
+  out.piece_cost_m = params.piece_cost_m;
+  out.headland_m = params.rules.headland == Headland::kFly ? params.rules.headland_m : 0.0;
+  out.beyond = params.rules.beyond;
+  return out;
+}
+
+std::string metres(double value) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.6g m", value);
+  return text.data();
+}
+
 Status check_height(const Field& field, const Terrain& terrain, const CutParams& params) {
   if (!is_positive(field.height_m))
-    return bad_input("The field's height above ground must be a positive number of metres.");
+    return bad_input("Its height above ground must be a positive number of metres.");
   const double tolerance = terrain.is_flat() ? 0.0 : params.height_tolerance_m;
   if (field.height_m - tolerance < params.clearance_m) {
-    return bad_input("The field's height of " + std::to_string(field.height_m) +
-                     " m above ground, less a tolerance of " + std::to_string(tolerance) +
-                     " m, is below the vehicle's clearance of " + std::to_string(params.clearance_m) + " m.");
+    return bad_input("Its height of " + metres(field.height_m) + " above ground, less a tolerance of " +
+                     metres(tolerance) + ", is below the vehicle's clearance of " +
+                     metres(params.clearance_m) + ".");
+  }
+  if (field.height_m + tolerance > params.rules.ceiling_m) {
+    return bad_input("Its height of " + metres(field.height_m) + " above ground, with a tolerance of " +
+                     metres(tolerance) + ", is above the legal ceiling of " + metres(params.rules.ceiling_m) +
+                     ".");
   }
   return {};
 }
 
-Status cut(const Field& field, const Terrain& terrain, const CutParams& params, FieldCut& out) {
-  const Result<Polygon> polygon = clean(field.polygon);
-  if (!polygon) return polygon.error();
-  out.area_m2 = area_m2(*polygon);
-  if (const Status status = check_height(field, terrain, params); !status) return status;
-  const Result<Strips> strips =
-      cut_strips(*polygon, {params.sensor_width_m, params.sweep_rad, params.piece_cost_m});
-  if (!strips) return strips.error();
-  out.sweep_rad = strips->sweep_rad;
-  out.strips = strips->count;
-  out.cells = static_cast<int>(strips->pieces.size());
-  for (const Piece& piece : strips->pieces) add_sub_cells(field, piece, terrain, params, out);
-  if (out.sub_cells.size() > kMaxSubCells) {
-    return bad_input(
-        "The field needs more than 4096 sub-cells; a wider sensor or a greater height tolerance is needed.");
+/// Greatest distance between two corners, or `enough` as soon as one is found that is greater.
+double extent_m(const std::vector<Polygon>& polygons, double enough) {
+  double extent = 0.0;
+  for (const Polygon& polygon : polygons) {
+    const Box box = bounds_of(polygon.outline);
+    if ((box.hi - box.lo).maxCoeff() >= enough) return enough;
+    for (const Vec2& a : polygon.outline) {
+      for (const Vec2& b : polygon.outline) extent = std::max(extent, (a - b).norm());
+      if (extent >= enough) return enough;
+    }
   }
-  const Result<SwathArea> area = swath_area(*polygon, out.sub_cells);
+  return extent;
+}
+
+/// Refuses what a sensor or a battery of this size makes no sense for.
+Status check_size(const std::vector<Polygon>& polygons, const CutParams& params) {
+  const double extent = extent_m(polygons, params.sensor_width_m);
+  if (extent < params.sensor_width_m) {
+    return bad_input("The sensor is wider (" + metres(params.sensor_width_m) +
+                     ") than the field is across (" + metres(extent) + "): there is no strip to fly.");
+  }
+  if (params.max_length_m < params.sensor_width_m) {
+    return bad_input("One battery flies no more than " + metres(params.max_length_m) +
+                     " at the field's height besides climb and landing: it cannot cross the field.");
+  }
+  return {};
+}
+
+Result<std::vector<Polygon>> without(const std::vector<Polygon>& polygons,
+                                     const std::vector<Polygon>& no_fly) {
+  std::vector<Polygon> solid;
+  for (std::size_t i = 0; i < no_fly.size(); ++i) {
+    const Result<std::vector<Polygon>> area = clean(no_fly[i]);
+    if (!area) return bad_input("No-fly area " + std::to_string(i) + ": " + area.error().message);
+    solid.insert(solid.end(), area->begin(), area->end());
+  }
+  if (solid.empty()) return polygons;
+  const detail::Shape left = detail::Shape::of(polygons).minus(detail::Shape::of(solid));
+  if (!left.ok()) return internal_error("GEOS could not take the no-fly areas off.");
+  std::vector<Polygon> out;
+  for (const Polygon& part : left.parts()) {
+    const Result<std::vector<Polygon>> tidy = clean(part);
+    if (tidy) out.insert(out.end(), tidy->begin(), tidy->end());
+  }
+  if (out.empty()) return infeasible("It lies wholly within no-fly areas.");
+  return out;
+}
+
+Result<std::vector<Polygon>> without_headland(const std::vector<Polygon>& polygons, const FieldRules& rules) {
+  if (rules.headland != Headland::kSkip || rules.headland_m <= 0.0) return polygons;
+  std::vector<Polygon> out;
+  for (const Polygon& part : detail::Shape::of(polygons).inset(rules.headland_m).parts()) {
+    const Result<std::vector<Polygon>> tidy = clean(part);
+    if (tidy) out.insert(out.end(), tidy->begin(), tidy->end());
+  }
+  if (out.empty())
+    return infeasible("Nothing is left of it within a headland of " + metres(rules.headland_m) + ".");
+  return out;
+}
+
+Status cut(const Field& field, const Terrain& terrain, const CutParams& params, FieldCut& out) {
+  const Result<std::vector<Polygon>> cleaned = clean(field.polygon);
+  if (!cleaned) return cleaned.error();
+  Result<std::vector<Polygon>> allowed = without(*cleaned, params.no_fly);
+  if (!allowed) return allowed.error();
+  out.polygons = std::move(*allowed);
+  const Result<std::vector<Polygon>> asked = without_headland(out.polygons, params.rules);
+  if (!asked) return asked.error();
+  for (const Polygon& polygon : *asked) out.area_m2 += area_m2(polygon);
+  if (const Status status = check_height(field, terrain, params); !status) return status;
+  if (const Status status = check_size(*asked, params); !status) return status;
+  for (const Polygon& polygon : *asked) {
+    const Result<Strips> strips = cut_strips(polygon, strip_params(params));
+    if (!strips) return strips.error();
+    if (out.cells == 0) out.sweep_rad = strips->sweep_rad;
+    out.strips += strips->count;
+    out.cells += static_cast<int>(strips->pieces.size());
+    for (const Piece& piece : strips->pieces) add_sub_cells(field, piece, terrain, params, out);
+  }
+  if (out.sub_cells.size() > kMaxSubCells) {
+    return bad_input("It needs more than " + std::to_string(kMaxSubCells) +
+                     " sub-cells; a wider sensor or a greater height tolerance is needed.");
+  }
+  const Result<SwathArea> area = swath_area(*asked, out.sub_cells);
   if (!area) return area.error();
   out.covered_m2 = area->covered_m2;
   out.outside_m2 = area->outside_m2;
   return {};
 }
 
+/// "Field 'nl-3' near (1.0, 2.0) m: ", by its first corner that is a place.
+std::string name_and_place(const Field& field) {
+  std::string out = "Field '" + field.name + "'";
+  const auto corner = std::find_if(field.polygon.outline.begin(), field.polygon.outline.end(),
+                                   [](const Vec2& p) { return is_finite(p); });
+  if (corner != field.polygon.outline.end()) out += " near " + place_text(*corner);
+  return out + ": ";
+}
+
 }  // namespace
 
+Status validate(const FieldRules& rules) {
+  if (!is_within(rules.overlap, 0.0, 0.9))
+    return bad_input("The overlap must be a share from 0 to 0.9 of the sensor's width.");
+  if (!is_non_negative(rules.headland_m)) return bad_input("The headland must not be negative.");
+  if (!(rules.ceiling_m > 0.0)) return bad_input("The legal ceiling must be positive.");
+  return {};
+}
+
 Status validate(const CutParams& params) {
+  if (const Status status = validate(params.rules); !status) return status;
   if (!is_positive(params.sensor_width_m))
     return bad_input("The sensor width must be a positive number of metres.");
   if (!is_non_negative(params.height_tolerance_m))
@@ -143,7 +254,7 @@ FieldCut cut_field(const Field& field, const Terrain& terrain, const CutParams& 
   if (status.ok()) {
     out.status = FieldStatus::kPlanned;
   } else {
-    out.reason = status.error().message;
+    out.reason = name_and_place(field) + status.error().message;
     out.sub_cells.clear();
   }
   return out;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "coverage/field/polygon.hpp"
+#include "coverage/field/strips.hpp"
 #include "planner/base/vec.hpp"
 #include "planner/world/terrain.hpp"
 
@@ -32,6 +33,19 @@ struct SubCell {
   double length_m() const { return (beta_m - alpha_m).norm(); }
 };
 
+/// What becomes of a band along a field's border.
+enum class Headland : std::uint8_t { kNone, kSkip, kFly };
+
+/// How fields are to be flown, besides sensor and heights.
+struct FieldRules {
+  double overlap = 0.0;  ///< share of the sensor's width that neighbouring strips see both
+  Headland headland = Headland::kNone;
+  double headland_m = 0.0;  ///< its width
+  Beyond beyond = Beyond::kNever;
+  double ceiling_m = std::numeric_limits<double>::infinity();  ///< greatest lawful height above ground
+};
+Status validate(const FieldRules& rules);
+
 struct CutParams {
   double sensor_width_m = 10.0;
   std::optional<double> sweep_rad{};  ///< see StripParams
@@ -41,6 +55,8 @@ struct CutParams {
   double clearance_m = 2.5;  ///< least height above ground that is ever flown
   double max_length_m =
       std::numeric_limits<double>::infinity();  ///< what one battery flies, climb and landing left aside
+  FieldRules rules;
+  std::vector<Polygon> no_fly;  ///< neither covered nor crossed
 };
 Status validate(const CutParams& params);
 
@@ -50,10 +66,11 @@ struct FieldCut {
   std::uint32_t id = 0;
   std::string name;
   FieldStatus status = FieldStatus::kRefused;
-  std::string reason;  ///< why it was refused, a sentence; empty when planned
-  double area_m2 = 0.0;
-  double covered_m2 = 0.0;  ///< of the field, by the union of the swaths
-  double outside_m2 = 0.0;  ///< of the swaths' union, beyond the field
+  std::string reason;             ///< why it was refused, a sentence with name and place; empty when planned
+  std::vector<Polygon> polygons;  ///< cleaned, without no-fly areas: where lines and transfers may run
+  double area_m2 = 0.0;           ///< asked for: without holes, no-fly areas and a headland that is skipped
+  double covered_m2 = 0.0;        ///< of the field, by the union of the swaths
+  double outside_m2 = 0.0;        ///< of the swaths' union, beyond the field
   double sweep_rad = 0.0;
   int strips = 0;
   int cells = 0;                   ///< connected parts of strips
@@ -61,10 +78,13 @@ struct FieldCut {
   std::vector<SubCell> sub_cells;  ///< along the strips, ids from 0
 };
 
-inline constexpr std::size_t kMaxSubCells = 4096;
+inline constexpr std::size_t kMaxSubCells = 16384;
 
-/// Cleans the field, cuts it into strips and these into sub-cells, and measures what they cover. It never
-/// fails: a field that cannot be planned comes back refused with the reason.
+/// Cleans the field, takes no-fly areas and a headland off, cuts the rest into strips and these into
+/// sub-cells, and measures what they cover. It never fails: a field that cannot be planned comes back refused
+/// with the reason: not a valid polygon, wholly within no-fly areas or headland, smaller across than the
+/// sensor's width, a height beyond the ceiling or below the clearance, a battery that does not fly one sensor
+/// width.
 FieldCut cut_field(const Field& field, const planner::Terrain& terrain, const CutParams& params);
 
 }  // namespace swallowtail::coverage

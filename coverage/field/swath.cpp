@@ -1,5 +1,7 @@
 #include "coverage/field/swath.hpp"
 
+#include <algorithm>
+
 #include "coverage/field/detail/geos.hpp"
 
 namespace swallowtail::coverage {
@@ -13,14 +15,16 @@ Ring swath_of(const SubCell& sub_cell) {
   return {a - side, b - side, b + side, a + side};
 }
 
-Result<SwathArea> swath_area(const Polygon& polygon, std::span<const SubCell> sub_cells) {
+Result<SwathArea> swath_area(std::span<const Polygon> polygons, std::span<const SubCell> sub_cells) {
   std::vector<Ring> swaths;
   for (const SubCell& sub_cell : sub_cells) {
     if (sub_cell.length_m() > 1e-6) swaths.push_back(swath_of(sub_cell));
   }
-  const Result<detail::UnionArea> area = detail::union_area(polygon, swaths);
-  if (!area) return area.error();
-  return SwathArea{area->inside_m2, area->outside_m2};
+  const detail::Shape all = detail::Shape::of(swaths);
+  const detail::Shape inside = all.within(detail::Shape::of(polygons));
+  if (!inside.ok()) return internal_error("GEOS failed to unite the swaths of a field.");
+  const double covered = inside.area_m2();
+  return SwathArea{covered, std::max(0.0, all.area_m2() - covered)};
 }
 
 }  // namespace swallowtail::coverage

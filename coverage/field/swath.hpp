@@ -17,8 +17,8 @@ struct SwathArea {
   double outside_m2 = 0.0;
 };
 
-/// What the union of the swaths covers of the polygon and beyond it, by polygon union. Errors (kInternal):
+/// What the union of the swaths covers of the polygons and beyond them, by polygon union. Errors (kInternal):
 /// GEOS failed.
-Result<SwathArea> swath_area(const Polygon& polygon, std::span<const SubCell> sub_cells);
+Result<SwathArea> swath_area(std::span<const Polygon> polygons, std::span<const SubCell> sub_cells);
 
 }  // namespace swallowtail::coverage

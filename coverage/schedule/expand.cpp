@@ -92,6 +92,11 @@ Expansion expand(std::span<const SubCell> sub_cells, std::span<const Visit> visi
     out.rendezvous.push_back(meeting);
   }
   if (!out.legs.empty()) out.legs.back().transfer = Transfer::kEnd;
+  for (std::size_t i = 0; i + 1 < out.legs.size(); ++i) {
+    if (out.legs[i].transfer == Transfer::kFDTU) continue;
+    const std::vector<Vec3> way = links.model().way(out.legs[i].exit_m, out.legs[i + 1].entry_m);
+    out.legs[i].transfer_m.assign(way.begin() + 1, way.end() - 1);
+  }
   return out;
 }
 

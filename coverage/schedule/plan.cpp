@@ -50,6 +50,16 @@ FieldReport report_of(const FieldCut& cut, double wall_ms) {
   return out;
 }
 
+/// Valid ones: a field that meets another refuses it by name.
+std::vector<Polygon> no_fly_areas(const Task& task) {
+  std::vector<Polygon> out;
+  for (const Polygon& area : task.no_fly) {
+    const Result<std::vector<Polygon>> parts = clean(area);
+    if (parts) out.insert(out.end(), parts->begin(), parts->end());
+  }
+  return out;
+}
+
 void add_field_totals(Plan& plan) {
   double covered = 0.0;
   for (const FieldReport& field : plan.fields) {
@@ -75,6 +85,7 @@ Status validate(const Task& task) {
   if (task.neighbours < 1) return bad_input("There must be at least one neighbour in the graph.");
   if (!is_finite(task.start_m)) return bad_input("The start must be finite.");
   if (task.sweep_rad && !is_finite(*task.sweep_rad)) return bad_input("The sweep direction must be finite.");
+  if (const Status status = validate(task.rules); !status) return status;
   if (const Status status = validate(task.battery); !status) return status;
   if (const Status status = validate(task.charger); !status) return status;
   return planner::validate(task.vehicle);
@@ -101,16 +112,21 @@ FieldsCut cut_fields(const Task& task, const planner::Terrain& terrain, const Pl
     params.piece_cost_m = piece_cost_m(task);
     params.height_tolerance_m = task.height_tolerance_m;
     params.clearance_m = task.vehicle.clearance_m();
+    params.rules = task.rules;
+    params.no_fly = task.no_fly;
     // Over terrain a sub-cell's ends stand higher above ground than asked by the tolerance at most.
     params.max_length_m = longest_leg_m(task, field.height_m + 2.0 * task.height_tolerance_m, stops);
     FieldCut cut = cut_field(field, terrain, params);
     if (cut.status == FieldStatus::kPlanned && out.sub_cells.size() + cut.sub_cells.size() > kMaxSubCells) {
       cut.status = FieldStatus::kRefused;
-      cut.reason = "The task's fields together need more than 4096 sub-cells.";
+      cut.reason = "Field '" + cut.name + "': the task's fields together need more than " +
+                   std::to_string(kMaxSubCells) + " sub-cells.";
       cut.sub_cells.clear();
     }
     const double wall_ms = options.clock != nullptr ? (options.clock->now_s() - began) * 1e3 : 0.0;
     out.reports.push_back(report_of(cut, wall_ms));
+    if (cut.status == FieldStatus::kPlanned)
+      out.polygons.insert(out.polygons.end(), cut.polygons.begin(), cut.polygons.end());
     for (SubCell cell : cut.sub_cells) {
       cell.id = static_cast<std::uint32_t>(out.sub_cells.size());
       out.sub_cells.push_back(cell);
@@ -132,10 +148,10 @@ Result<Plan> plan_coverage(const Task& task, const planner::Terrain& terrain, co
   plan.sub_cells = std::move(cut.sub_cells);
   add_field_totals(plan);
   if (plan.sub_cells.empty()) {
-    return infeasible("No field can be planned. Field '" + plan.fields.front().name +
-                      "': " + plan.fields.front().reason);
+    return infeasible("No field can be planned. " + plan.fields.front().reason);
   }
-  const FlightModel model(task.vehicle, task.battery.model, terrain);
+  const Ways ways(cut.polygons, no_fly_areas(task));
+  const FlightModel model(task.vehicle, task.battery.model, terrain, &ways);
   LinkCache links(model, task.charger);
   ScheduleStart start;
   start.position_m = model.ground(task.start_m);

@@ -23,6 +23,9 @@ struct Leg {
   double height_m = 0.0;  ///< above ground, as asked
   double width_m = 0.0;   ///< of the swath
   Transfer transfer = Transfer::kEnd;
+  /// Where a flown transfer (F-F, F-FDU, F-DUF, F-DUFDU) bends on its way to the next leg, in order; empty
+  /// when it is straight.
+  std::vector<Vec3> transfer_m{};
   double energy_before = 0.0;
   double energy_after = 0.0;
   double start_s = 0.0;
@@ -127,6 +130,7 @@ StopParams stop_params(const Task& task, const PlanOptions& options);
 struct FieldsCut {
   std::vector<FieldReport> reports;
   std::vector<SubCell> sub_cells;
+  std::vector<Polygon> polygons;  ///< of the planned fields: where lines and transfers may run
 };
 FieldsCut cut_fields(const Task& task, const planner::Terrain& terrain, const PlanOptions& options);
 

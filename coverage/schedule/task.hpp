@@ -23,6 +23,8 @@ struct Task {
   double height_band_m = 0.0;  ///< ε of the layers [COV 4.1]
   int neighbours = 5;          ///< X [COV 4.1]
   std::optional<double> sweep_rad{};
+  FieldRules rules{};
+  std::vector<Polygon> no_fly{};  ///< neither covered nor crossed by transfers
   planner::VehicleLimits vehicle;
   Battery battery;
   Charger charger;

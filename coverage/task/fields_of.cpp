@@ -24,7 +24,7 @@ Result<std::vector<Field>> chosen(std::vector<Field> fields, const std::vector<s
   return picked;
 }
 
-void move_centre_to(std::vector<Field>& fields, const Vec2& place_m) {
+void move_centre_to(std::vector<Field>& fields, std::vector<Polygon>& no_fly, const Vec2& place_m) {
   Vec2 lo = Vec2::Constant(std::numeric_limits<double>::infinity());
   Vec2 hi = -lo;
   for (const auto& field : fields) {
@@ -37,10 +37,12 @@ void move_centre_to(std::vector<Field>& fields, const Vec2& place_m) {
   const auto move = [&shift](Ring& ring) {
     for (auto& vertex : ring) vertex += shift;
   };
-  for (auto& field : fields) {
-    move(field.polygon.outline);
-    for (auto& hole : field.polygon.holes) move(hole);
-  }
+  const auto move_polygon = [&move](Polygon& polygon) {
+    move(polygon.outline);
+    for (auto& hole : polygon.holes) move(hole);
+  };
+  for (auto& field : fields) move_polygon(field.polygon);
+  for (auto& area : no_fly) move_polygon(area);
 }
 
 }  // namespace
@@ -57,8 +59,10 @@ Result<ScenarioFields> fields_of(const planner::Scenario& scenario) {
   if (!file) return file.error();
   auto fields = chosen(std::move(file->fields), spec.field_ids);
   if (!fields) return fields.error();
-  if (spec.place_at_m) move_centre_to(*fields, *spec.place_at_m);
-  return ScenarioFields{std::move(*fields), scenario.origin ? scenario.origin : file->origin};
+  std::vector<Polygon> no_fly = std::move(file->no_fly.front());
+  if (spec.place_at_m) move_centre_to(*fields, no_fly, *spec.place_at_m);
+  return ScenarioFields{std::move(*fields), scenario.origin ? scenario.origin : file->origin,
+                        std::move(no_fly)};
 }
 
 }  // namespace swallowtail::coverage

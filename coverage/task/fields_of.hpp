@@ -13,6 +13,7 @@ struct ScenarioFields {
   std::vector<Field> fields;  ///< chosen, in the scenario's local frame, moved to place_at_m
   std::optional<planner::GeoOrigin>
       origin;  ///< of that frame: the scenario's, else the file's own; none when the file is in local metres
+  std::vector<Polygon> no_fly{};  ///< of the same file, in the same frame
 };
 
 /// The fields a scenario's coverage asks for. Errors: no coverage section, as read_fields, a field id that

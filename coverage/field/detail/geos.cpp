@@ -3,9 +3,8 @@
 #define GEOS_USE_ONLY_R_API
 #include <geos_c.h>
 
-#include <algorithm>
-#include <memory>
 #include <string>
+#include <utility>
 
 namespace swallowtail::coverage::detail {
 namespace {
@@ -22,7 +21,9 @@ GEOSContextHandle_t context() {
 struct Destroy {
   void operator()(GEOSGeometry* g) const { GEOSGeom_destroy_r(context(), g); }
 };
-using Geometry = std::unique_ptr<GEOSGeometry, Destroy>;
+using Owned = std::unique_ptr<GEOSGeometry, Destroy>;
+
+constexpr double kMitreLimit = 5.0;
 
 GEOSGeometry* make_ring(const Ring& ring) {
   const auto size = static_cast<unsigned>(ring.size());
@@ -34,11 +35,17 @@ GEOSGeometry* make_ring(const Ring& ring) {
   return GEOSGeom_createLinearRing_r(context(), sequence);
 }
 
-Geometry make_polygon(const Polygon& polygon) {
+GEOSGeometry* make_polygon(const Polygon& polygon) {
   std::vector<GEOSGeometry*> holes;
-  for (const Ring& hole : polygon.holes) holes.push_back(make_ring(hole));
-  return Geometry(GEOSGeom_createPolygon_r(context(), make_ring(polygon.outline), holes.data(),
-                                           static_cast<unsigned>(holes.size())));
+  for (const Ring& hole : polygon.holes) {
+    if (GEOSGeometry* ring = make_ring(hole)) holes.push_back(ring);
+  }
+  GEOSGeometry* outline = make_ring(polygon.outline);
+  if (outline == nullptr) {
+    for (GEOSGeometry* hole : holes) GEOSGeom_destroy_r(context(), hole);
+    return nullptr;
+  }
+  return GEOSGeom_createPolygon_r(context(), outline, holes.data(), static_cast<unsigned>(holes.size()));
 }
 
 Ring read_ring(const GEOSGeometry* ring) {
@@ -56,7 +63,8 @@ Ring read_ring(const GEOSGeometry* ring) {
 }
 
 void read_polygons(const GEOSGeometry* geometry, std::vector<Polygon>& out) {
-  if (GEOSGeomTypeId_r(context(), geometry) == GEOS_POLYGON) {
+  const int type = GEOSGeomTypeId_r(context(), geometry);
+  if (type == GEOS_POLYGON) {
     if (GEOSisEmpty_r(context(), geometry) != 0) return;
     Polygon polygon;
     polygon.outline = read_ring(GEOSGetExteriorRing_r(context(), geometry));
@@ -66,77 +74,114 @@ void read_polygons(const GEOSGeometry* geometry, std::vector<Polygon>& out) {
     if (polygon.outline.size() >= 3) out.push_back(std::move(polygon));
     return;
   }
-  if (GEOSGeomTypeId_r(context(), geometry) < GEOS_MULTIPOINT) return;  // a point or a line has no area
+  if (type < GEOS_MULTIPOINT) return;  // a point or a line has no area
   const int parts = GEOSGetNumGeometries_r(context(), geometry);
   for (int i = 0; i < parts; ++i) read_polygons(GEOSGetGeometryN_r(context(), geometry, i), out);
 }
 
-Geometry make_box(const Box& box) {
-  return Geometry(GEOSGeom_createRectangle_r(context(), box.lo.x(), box.lo.y(), box.hi.x(), box.hi.y()));
-}
-
-double area_of(const GEOSGeometry* geometry) {
-  double area = 0.0;
-  GEOSArea_r(context(), geometry, &area);
-  return area;
-}
-
 }  // namespace
 
-Status check_validity(const Polygon& polygon) {
-  const Geometry geometry = make_polygon(polygon);
-  if (!geometry) return bad_input("The polygon cannot be built.");
+struct Shape::Geometry {
+  explicit Geometry(GEOSGeometry* g) : owned(g) {}
+  const GEOSGeometry* get() const { return owned.get(); }
+  Owned owned;
+
+  static Shape wrap(GEOSGeometry* g) {
+    return g == nullptr ? Shape(std::shared_ptr<const Geometry>()) : Shape(std::make_shared<Geometry>(g));
+  }
+  static Shape unite(std::vector<GEOSGeometry*> parts) {
+    std::erase(parts, nullptr);
+    const Owned all(GEOSGeom_createCollection_r(context(), GEOS_GEOMETRYCOLLECTION, parts.data(),
+                                                static_cast<unsigned>(parts.size())));
+    return wrap(all ? GEOSUnaryUnion_r(context(), all.get()) : nullptr);
+  }
+};
+
+std::optional<Fault> find_fault(const Polygon& polygon) {
+  const Owned geometry(make_polygon(polygon));
+  if (!geometry) return Fault{"the rings cannot be built", polygon.outline.front()};
   char* reason = nullptr;
   GEOSGeometry* place = nullptr;
   const char valid = GEOSisValidDetail_r(context(), geometry.get(), 0, &reason, &place);
-  const Geometry owned_place(place);
-  std::string text = reason == nullptr ? "" : reason;
+  const Owned owned_place(place);
+  Fault out{reason == nullptr ? "" : reason, polygon.outline.front()};
   if (reason != nullptr) GEOSFree_r(context(), reason);
-  if (valid == 1) return {};
-  std::string where;
-  double x = 0.0;
-  double y = 0.0;
-  if (place != nullptr && GEOSGeomGetX_r(context(), place, &x) == 1 &&
-      GEOSGeomGetY_r(context(), place, &y) == 1) {
-    where = " at (" + std::to_string(x) + ", " + std::to_string(y) + ") m";
+  if (valid == 1) return std::nullopt;
+  if (place != nullptr) {
+    GEOSGeomGetX_r(context(), place, &out.place_m.x());
+    GEOSGeomGetY_r(context(), place, &out.place_m.y());
   }
-  return bad_input("The polygon is not valid: " + text + where + ".");
-}
-
-struct Clipper::Impl {
-  Geometry geometry;
-};
-
-Clipper::Clipper(const Polygon& polygon) : impl_(new Impl{make_polygon(polygon)}) {}
-Clipper::~Clipper() { delete impl_; }
-
-Result<std::vector<Polygon>> Clipper::clip(const Box& box) const {
-  const Geometry rectangle = make_box(box);
-  const Geometry part(impl_->geometry ? GEOSIntersection_r(context(), impl_->geometry.get(), rectangle.get())
-                                      : nullptr);
-  if (!part) return internal_error("GEOS could not intersect the polygon with a strip.");
-  std::vector<Polygon> out;
-  read_polygons(part.get(), out);
   return out;
 }
 
-Result<std::vector<Polygon>> clip(const Polygon& polygon, const Box& box) {
-  return Clipper(polygon).clip(box);
-}
+Shape::Shape() : Shape(Geometry::wrap(GEOSGeom_createEmptyPolygon_r(context()))) {}
 
-Result<UnionArea> union_area(const Polygon& polygon, const std::vector<Ring>& patches) {
+Shape Shape::of(const Polygon& polygon) { return Geometry::wrap(make_polygon(polygon)); }
+
+Shape Shape::of(std::span<const Polygon> polygons) {
+  if (polygons.size() == 1) return of(polygons.front());
   std::vector<GEOSGeometry*> parts;
-  for (const Ring& patch : patches) parts.push_back(make_polygon({patch, {}}).release());
-  const Geometry all(GEOSGeom_createCollection_r(context(), GEOS_MULTIPOLYGON, parts.data(),
-                                                 static_cast<unsigned>(parts.size())));
-  const Geometry joined(all ? GEOSUnaryUnion_r(context(), all.get()) : nullptr);
-  const Geometry field = make_polygon(polygon);
-  const Geometry inside(joined && field ? GEOSIntersection_r(context(), joined.get(), field.get()) : nullptr);
-  if (!inside) return internal_error("GEOS could not unite the swaths of a field.");
-  UnionArea out;
-  out.inside_m2 = area_of(inside.get());
-  out.outside_m2 = std::max(0.0, area_of(joined.get()) - out.inside_m2);
+  for (const Polygon& polygon : polygons) parts.push_back(make_polygon(polygon));
+  return Geometry::unite(std::move(parts));
+}
+
+Shape Shape::of(std::span<const Ring> rings) {
+  std::vector<GEOSGeometry*> parts;
+  for (const Ring& ring : rings) parts.push_back(make_polygon({ring, {}}));
+  return Geometry::unite(std::move(parts));
+}
+
+Shape Shape::repaired(const Polygon& polygon) {
+  const Owned raw(make_polygon(polygon));
+  if (!raw) return Geometry::wrap(nullptr);
+  GEOSMakeValidParams* params = GEOSMakeValidParams_create_r(context());
+  GEOSMakeValidParams_setMethod_r(context(), params, GEOS_MAKE_VALID_STRUCTURE);
+  GEOSMakeValidParams_setKeepCollapsed_r(context(), params, 0);
+  GEOSGeometry* valid = GEOSMakeValidWithParams_r(context(), raw.get(), params);
+  GEOSMakeValidParams_destroy_r(context(), params);
+  return Geometry::wrap(valid);
+}
+
+bool Shape::is_empty() const { return !ok() || GEOSisEmpty_r(context(), geometry_->get()) != 0; }
+
+double Shape::area_m2() const {
+  double area = 0.0;
+  if (ok()) GEOSArea_r(context(), geometry_->get(), &area);
+  return area;
+}
+
+std::vector<Polygon> Shape::parts() const {
+  std::vector<Polygon> out;
+  if (ok()) read_polygons(geometry_->get(), out);
   return out;
+}
+
+Shape Shape::minus(const Shape& other) const {
+  return Geometry::wrap(
+      ok() && other.ok() ? GEOSDifference_r(context(), geometry_->get(), other.geometry_->get()) : nullptr);
+}
+
+Shape Shape::within(const Shape& other) const {
+  return Geometry::wrap(
+      ok() && other.ok() ? GEOSIntersection_r(context(), geometry_->get(), other.geometry_->get()) : nullptr);
+}
+
+Shape Shape::within(const Box& box) const {
+  const Owned rectangle(
+      GEOSGeom_createRectangle_r(context(), box.lo.x(), box.lo.y(), box.hi.x(), box.hi.y()));
+  return Geometry::wrap(ok() && rectangle ? GEOSIntersection_r(context(), geometry_->get(), rectangle.get())
+                                          : nullptr);
+}
+
+Shape Shape::joined(const Shape& other) const {
+  return Geometry::wrap(ok() && other.ok() ? GEOSUnion_r(context(), geometry_->get(), other.geometry_->get())
+                                           : nullptr);
+}
+
+Shape Shape::inset(double distance_m) const {
+  return Geometry::wrap(ok() ? GEOSBufferWithStyle_r(context(), geometry_->get(), -distance_m, 8,
+                                                     GEOSBUF_CAP_FLAT, GEOSBUF_JOIN_MITRE, kMitreLimit)
+                             : nullptr);
 }
 
 }  // namespace swallowtail::coverage::detail

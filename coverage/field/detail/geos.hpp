@@ -1,5 +1,9 @@
 #pragma once
 
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
 #include <vector>
 
 #include "coverage/field/polygon.hpp"
@@ -8,32 +12,42 @@
 /// What of GEOS the field library uses, as values. GEOS' own types stay in geos.cpp.
 namespace swallowtail::coverage::detail {
 
-/// Errors (kBadInput): GEOS' reason why the polygon is not valid, and where.
-Status check_validity(const Polygon& polygon);
+/// What GEOS finds wrong with a polygon, and where.
+struct Fault {
+  std::string what;  ///< in GEOS' words
+  Vec2 place_m = Vec2::Zero();
+};
+/// Nothing when the polygon is valid.
+std::optional<Fault> find_fault(const Polygon& polygon);
 
-/// The connected parts of the polygon within the box; parts of no area are left out. Errors (kInternal): GEOS
-/// failed.
-Result<std::vector<Polygon>> clip(const Polygon& polygon, const Box& box);
-
-/// A polygon that is clipped many times: converted once.
-class Clipper {
+/// An area of any number of connected parts; immutable, cheap to copy. Operations that GEOS fails on give an
+/// area that is not ok(), and so does everything made of it.
+class Shape {
  public:
-  explicit Clipper(const Polygon& polygon);
-  ~Clipper();
-  Clipper(const Clipper&) = delete;
-  Clipper& operator=(const Clipper&) = delete;
-  Result<std::vector<Polygon>> clip(const Box& box) const;
+  Shape();  ///< empty
+  static Shape of(const Polygon& polygon);
+  static Shape of(std::span<const Polygon> polygons);  ///< their union
+  static Shape of(std::span<const Ring> rings);        ///< the union of rings without holes
+  /// A valid area made of a polygon that crosses or touches itself; holes that overlap become one.
+  static Shape repaired(const Polygon& polygon);
+
+  bool ok() const { return geometry_ != nullptr; }
+  bool is_empty() const;
+  double area_m2() const;
+  /// Parts of positive area, outlines counter-clockwise or not as GEOS left them.
+  std::vector<Polygon> parts() const;
+
+  Shape minus(const Shape& other) const;
+  Shape within(const Shape& other) const;
+  Shape within(const Box& box) const;
+  Shape joined(const Shape& other) const;
+  /// What lies at least so far inside the border (mitred corners stay corners); negative: widened.
+  Shape inset(double distance_m) const;
 
  private:
-  struct Impl;
-  Impl* impl_;
+  struct Geometry;
+  explicit Shape(std::shared_ptr<const Geometry> geometry) : geometry_(std::move(geometry)) {}
+  std::shared_ptr<const Geometry> geometry_;
 };
-
-struct UnionArea {
-  double inside_m2 = 0.0;   ///< of the union of the patches within the polygon
-  double outside_m2 = 0.0;  ///< of the rest of the union
-};
-/// Errors (kInternal): GEOS failed.
-Result<UnionArea> union_area(const Polygon& polygon, const std::vector<Ring>& patches);
 
 }  // namespace swallowtail::coverage::detail

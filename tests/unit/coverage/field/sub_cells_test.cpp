@@ -36,7 +36,7 @@ TEST(SubCells, OverFlatGroundEachStripIsOneAtTheFieldsHeight) {
     EXPECT_EQ(cell.field_id, 7U);
   }
   EXPECT_NEAR(cut.area_m2, 4000.0, 1e-6);
-  EXPECT_NEAR(cut.covered_m2, 4000.0, 1e-3);
+  EXPECT_NEAR(cut.covered_m2, 4000.0, 0.1);
   EXPECT_NEAR(cut.outside_m2, 0.0, 1e-3);
 }
 
@@ -68,8 +68,47 @@ TEST(SubCells, NoneIsLongerThanABattery) {
   for (const SubCell& cell : cut.sub_cells) EXPECT_LE(cell.length_m(), 30.0 + 1e-9);
 }
 
+TEST(SubCells, NoFlyAreasAreNeitherCoveredNorCrossed) {
+  CutParams params;
+  params.no_fly = {{{{40, -5}, {60, -5}, {60, 45}, {40, 45}}, {}}};
+  const FieldCut cut = cut_field(square_field(), planner::Terrain::flat(0.0), params);
+  ASSERT_EQ(cut.status, FieldStatus::kPlanned) << cut.reason;
+  EXPECT_EQ(cut.polygons.size(), 2U) << "cut in two";
+  EXPECT_NEAR(cut.area_m2, 3200.0, 1e-6);
+  EXPECT_GE(cut.covered_m2, 0.999 * cut.area_m2);
+  for (const SubCell& cell : cut.sub_cells)
+    EXPECT_EQ(cell.alpha_m.x() < 40.0, cell.beta_m.x() < 40.0) << "a line runs through the no-fly area";
+  params.no_fly = {{{{-1, -1}, {101, -1}, {101, 41}, {-1, 41}}, {}}};
+  EXPECT_THAT(cut_field(square_field(), planner::Terrain::flat(0.0), params).reason, HasSubstr("no-fly"));
+}
+
+TEST(SubCells, ASkippedHeadlandIsNotAskedFor) {
+  CutParams params;
+  params.rules.headland = Headland::kSkip;
+  params.rules.headland_m = 5.0;
+  const FieldCut cut = cut_field(square_field(), planner::Terrain::flat(0.0), params);
+  ASSERT_EQ(cut.status, FieldStatus::kPlanned) << cut.reason;
+  EXPECT_NEAR(cut.area_m2, 90.0 * 30.0, 1e-6);
+  for (const SubCell& cell : cut.sub_cells) EXPECT_GE(cell.alpha_m.head<2>().minCoeff(), 5.0);
+  params.rules.headland_m = 25.0;
+  EXPECT_THAT(cut_field(square_field(), planner::Terrain::flat(0.0), params).reason, HasSubstr("headland"));
+}
+
 TEST(SubCells, WhatCannotBePlannedComesBackRefusedWithItsReason) {
-  EXPECT_THAT(cut_field(square_field(1.0), planner::Terrain::flat(0.0), {}).reason, HasSubstr("clearance"));
+  const auto why = [](const Field& field, const CutParams& params) {
+    return cut_field(field, planner::Terrain::flat(0.0), params).reason;
+  };
+  EXPECT_THAT(why(square_field(1.0), {}), HasSubstr("clearance"));
+  EXPECT_THAT(why(square_field(1.0), {}), HasSubstr("Field 'square' near (0.00, 0.00) m"));
+  CutParams strict;
+  strict.rules.ceiling_m = 15.0;
+  EXPECT_THAT(why(square_field(), strict), HasSubstr("ceiling"));
+  CutParams wide;
+  wide.sensor_width_m = 120.0;
+  EXPECT_THAT(why(square_field(), wide), HasSubstr("sensor is wider"));
+  CutParams weak;
+  weak.max_length_m = 3.0;
+  EXPECT_THAT(why(square_field(), weak), HasSubstr("cannot cross"));
   Field bow_tie = square_field();
   bow_tie.polygon.outline = {{0, 0}, {10, 10}, {10, 0}, {0, 12}};
   const FieldCut cut = cut_field(bow_tie, planner::Terrain::flat(0.0), {});

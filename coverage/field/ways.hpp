@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "coverage/field/polygon.hpp"
+
+namespace swallowtail::coverage {
+
+/// Shortest ways in the plane that leave holes and no-fly areas aside. Between two places of one field the
+/// way stays inside that field; between others it may cross open ground, but no hole and no no-fly area.
+/// Visibility graph over the corners that a taut string can bend at, pushed 2 cm off the border; each place's
+/// part of it is computed once and kept. Not for use by several threads at once. A place inside a hole or
+/// no-fly area, or cut off by them, is reached straight.
+class Ways {
+ public:
+  Ways();  ///< nothing is in the way
+  /// Clean polygons; holes of `fields` and all of `no_fly` are what is not crossed.
+  Ways(std::span<const Polygon> fields, std::span<const Polygon> no_fly);
+  ~Ways();
+  Ways(Ways&&) noexcept;
+  Ways& operator=(Ways&&) noexcept;
+
+  /// Where the way bends, in order; empty when it is straight.
+  std::vector<Vec2> corners(const Vec2& from, const Vec2& to) const;
+  bool is_free(const Vec2& from, const Vec2& to) const;
+
+ private:
+  class Domain;
+  const Domain* domain_of(const Vec2& from, const Vec2& to) const;
+  int room_of(const Vec2& place) const;
+
+  std::vector<Polygon> fields_;
+  std::vector<std::unique_ptr<Domain>> rooms_;  ///< one per field
+  std::unique_ptr<Domain> open_;                ///< what lies outside all holes and no-fly areas
+  using Place = std::pair<double, double>;
+  mutable std::map<Place, int> room_cache_;
+};
+
+}  // namespace swallowtail::coverage
