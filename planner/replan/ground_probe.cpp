@@ -28,6 +28,8 @@ struct Walk {
     const double east = south[1] - sw;
     const double up = north[0] - sw;
     const double twist = sw - south[1] - north[0] + north[1];
+    const float top = std::max(std::max(south[0], south[1]), std::max(north[0], north[1]));
+    if (z_m + climb_m * (climb_m < 0.0 ? t1 : t0) - static_cast<double>(top) >= best.height_m) return;
     const auto inside = [&](double t) {
       const Vec2 f = start + step * t;
       return Vec2(std::clamp(f.x() - col, 0.0, 1.0), std::clamp(f.y() - row, 0.0, 1.0));
@@ -87,6 +89,16 @@ GroundContact lowest_over(const Terrain& terrain, const Vec3& a, const Vec3& b, 
   }
   if (from >= to) walk.cell(from, from);
   return walk.best;
+}
+
+double height_to_keep_m(const Terrain& terrain, const Vec2& p, double clearance_m) {
+  if (terrain.is_flat()) return clearance_m;
+  const Vec2 lo = p.array() - clearance_m;
+  const Vec2 hi = p.array() + clearance_m;
+  const double slope = terrain.max_slope_in(lo, hi);
+  const double by_slope = clearance_m * std::sqrt(1.0 + slope * slope);
+  if (by_slope <= 1.05 * clearance_m) return by_slope;
+  return std::min(by_slope, terrain.max_in(lo, hi) - terrain.height_at(p.x(), p.y()) + clearance_m);
 }
 
 }  // namespace swallowtail::planner

@@ -17,4 +17,8 @@ struct GroundContact {
 /// this tells where and which way the ground falls as well, which is what a descent needs.
 GroundContact lowest_over(const Terrain& terrain, const Vec3& a, const Vec3& b, double from, double to);
 
+/// A height above the ground at which the certifier's rule for the terrain holds around p (certifier.hpp: by
+/// the steepest slope, or by the highest ground, within the clearance of p).
+double height_to_keep_m(const Terrain& terrain, const Vec2& p, double clearance_m);
+
 }  // namespace swallowtail::planner

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "planner/path/detail/terrain_rule.hpp"
 #include "planner/replan/ground_probe.hpp"
 
 namespace swallowtail::planner {
@@ -40,13 +41,8 @@ double Sidestep::duration_s(const Vec3& a, const Vec3& b) const {
 }
 
 double Sidestep::ground_need_m(const Vec3& p) const {
-  const Terrain& terrain = field_.world().terrain();
-  const double clearance = limits_.clearance_m();
-  if (terrain.is_flat()) return field_.ground_clearance_m();
-  const Vec2 lo = p.head<2>().array() - clearance;
-  const Vec2 hi = p.head<2>().array() + clearance;
-  const double slope = terrain.max_slope_in(lo, hi);
-  return std::max(clearance * std::sqrt(1.0 + slope * slope), field_.ground_clearance_m());
+  return std::max(height_to_keep_m(field_.world().terrain(), p.head<2>(), limits_.clearance_m()),
+                  field_.ground_clearance_m());
 }
 
 bool Sidestep::free(const Vec3& p, double time_s) {
@@ -74,10 +70,15 @@ std::optional<Sidestep::Hit> Sidestep::first_hit(const Vec3& a, const Vec3& b, d
   const Vec2 hi = a.cwiseMax(b).head<2>();
   if (std::min(a.z(), b.z()) - terrain.max_in(lo, hi) >= 3.0 * field_.ground_clearance_m()) return first;
   const double until = first ? first->fraction : 1.0;
-  const GroundContact low = lowest_over(terrain, a, b, 0.0, until);
-  const Vec3 p = a + low.fraction * (b - a);
-  if (low.height_m >= ground_need_m(p)) return first;
-  return Hit{kGround, low.fraction, Vec3(-low.slope.x(), -low.slope.y(), 1.0).normalized()};
+  const Vec3 end = a + until * (b - a);
+  const double clearance = field_.ground_clearance_m();
+  if (terrain.min_height_above(a, end) < clearance) {
+    const GroundContact low = lowest_over(terrain, a, b, 0.0, until);
+    if (low.height_m < clearance) return Hit{kGround, low.fraction, Vec3::UnitZ()};
+  }
+  const auto fault = detail::find_terrain_fault(terrain, a, end, limits_.clearance_m());
+  if (!fault) return first;
+  return Hit{kGround, until * fault->fraction, Vec3::UnitZ()};
 }
 
 bool Sidestep::clear(const Vec3& a, const Vec3& b, double time_s) { return !first_hit(a, b, time_s); }
@@ -88,7 +89,8 @@ int Sidestep::sides_of_ground(const Hit& hit, const Vec3& a, const Vec3& b, Side
   const Vec3 low = a + hit.fraction * (b - a);
   int count = 0;
   // A hill is round: both hops pass it if the point between them stands higher than the ground below.
-  const double deep = kRoom * ground_need_m(low) + terrain.height_at(low.x(), low.y()) - low.z();
+  const double need = kRoom * ground_need_m(low);
+  const double deep = std::max(need + terrain.height_at(low.x(), low.y()) - low.z(), 0.2 * need);
   for (const double lift : {1.15, 1.8}) {
     const Vec3 above(low.x(), low.y(), low.z() + lift * deep);
     if (bounds.contains(above)) sides[count++] = {above, above, 0.0};
@@ -103,7 +105,8 @@ int Sidestep::sides_of_ground(const Hit& hit, const Vec3& a, const Vec3& b, Side
       Vec3 beside = low;
       beside.head<2>() += hand * reach * level;
       if (!bounds.contains(beside)) break;
-      if (beside.z() - terrain.height_at(beside.x(), beside.y()) < kRoom * ground_need_m(beside)) continue;
+      const double height = beside.z() - terrain.height_at(beside.x(), beside.y());
+      if (height < kRoom * field_.ground_clearance_m() || height < kRoom * ground_need_m(beside)) continue;
       sides[count++] = {beside, beside, 0.0};
       break;
     }

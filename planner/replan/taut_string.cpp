@@ -12,6 +12,8 @@ namespace {
 constexpr double kNearOfScale = 0.08;
 constexpr double kNearOfHop = 0.25;
 constexpr double kMeanHops = 3.0;
+constexpr int kFlatPieces = 2;
+constexpr int kGroundPieces = 4;
 /// Points that come nearer to each other than this share of the scale count as that far apart in derivatives.
 constexpr double kSoft = 1e-4;
 /// Spare room beyond the field's own, as shares of the obstacle's size and of the scale.
@@ -67,38 +69,47 @@ void TautString::set_times(const std::vector<Vec3>& chain) {
 }
 
 /// Keeps the multiplier of a contact that there was before; both lists are in the same order.
-void TautString::add(std::size_t hop, int solid, double required, std::size_t& old) {
+TautString::Contact& TautString::add(std::size_t hop, int solid, double required, std::size_t& old) {
   const auto earlier = [&](const Contact& c) { return c.hop < hop || (c.hop == hop && c.solid < solid); };
   while (old < before_.size() && earlier(before_[old])) ++old;
   const bool known = old < before_.size() && before_[old].hop == hop && before_[old].solid == solid;
-  contacts_.push_back({hop, solid, required, known ? before_[old].multiplier : 0.0, 0.0, 0.0});
+  contacts_.push_back({hop, solid, required, 0.0, known ? before_[old].multiplier : 0.0, 0.0, 0.0});
+  return contacts_.back();
+}
+
+void TautString::collect_ground(const Vec3& a, const Vec3& b, std::size_t hop, std::size_t& old) {
+  const Terrain& terrain = field_.world().terrain();
+  const auto box_top_m = [&](const Vec3& p, const Vec3& q) {
+    const Vec2 lo = p.cwiseMin(q).head<2>().array() - near_m_;
+    const Vec2 hi = p.cwiseMax(q).head<2>().array() + near_m_;
+    return terrain.max_in(lo, hi);
+  };
+  if (std::min(a.z(), b.z()) - box_top_m(a, b) > near_m_ + 2.0 * field_.ground_clearance_m()) return;
+  const int pieces = terrain.is_flat() ? kFlatPieces : kGroundPieces;
+  for (int piece = pieces; piece-- > 0;) {
+    const double from = static_cast<double>(piece) / pieces;
+    const double to = static_cast<double>(piece + 1) / pieces;
+    const GroundContact low = lowest_over(terrain, a, b, from, to);
+    const Vec3 lowest = a + low.fraction * (b - a);
+    const double keep = std::max(height_to_keep_m(terrain, lowest.head<2>(), limits_.clearance_m()),
+                                 field_.ground_clearance_m());
+    const double required = ground_factor_ * keep + reserve_ * kSpareOfScale * scale_m_;
+    const double lean = std::sqrt(1.0 + low.slope.squaredNorm());
+    if (low.height_m > required + lean * near_m_) continue;
+    add(hop, -1 - piece, required, old).ground_top_m = box_top_m(a + from * (b - a), a + to * (b - a));
+  }
 }
 
 void TautString::collect(const std::vector<Vec3>& chain) {
   std::swap(before_, contacts_);
   contacts_.clear();
   std::size_t old = 0;
-  const Terrain& terrain = field_.world().terrain();
-  const double cap_m = near_m_;
   for (std::size_t hop = 0; hop + 1 < chain.size(); ++hop) {
     const Vec3& a = chain[hop];
     const Vec3& b = chain[hop + 1];
-    const Vec2 lo = a.cwiseMin(b).head<2>().array() - cap_m;
-    const Vec2 hi = a.cwiseMax(b).head<2>().array() + cap_m;
-    if (std::min(a.z(), b.z()) - terrain.max_in(lo, hi) < cap_m + 2.0 * field_.ground_clearance_m()) {
-      const int pieces = terrain.is_flat() ? 2 : kGroundPieces;
-      for (int piece = pieces; piece-- > 0;) {
-        const GroundContact low = lowest_over(terrain, a, b, static_cast<double>(piece) / pieces,
-                                              static_cast<double>(piece + 1) / pieces);
-        const double lean = std::sqrt(1.0 + low.slope.squaredNorm());
-        const double required =
-            ground_factor_ * std::max(limits_.clearance_m() * lean, field_.ground_clearance_m()) +
-            reserve_ * kSpareOfScale * scale_m_;
-        if (low.height_m < required + lean * cap_m) add(hop, -1 - piece, required, old);
-      }
-    }
-    for (const std::uint32_t i : nearby_.along(a, b, cap_m)) {
-      if (!field_.near(i, a, times_s_[hop], b, times_s_[hop + 1], cap_m)) continue;
+    collect_ground(a, b, hop, old);
+    for (const std::uint32_t i : nearby_.along(a, b, near_m_)) {
+      if (!field_.near(i, a, times_s_[hop], b, times_s_[hop + 1], near_m_)) continue;
       add(hop, static_cast<int>(i), required_m(i), old);
     }
   }
@@ -106,32 +117,30 @@ void TautString::collect(const std::vector<Vec3>& chain) {
 
 /// Block (a, b) of the second derivatives; points are counted without the fixed ends.
 void TautString::add_block(std::size_t a, std::size_t b, const Mat3& block) {
-  const std::size_t last = hessian_.size();
+  const std::size_t last = there_.hessian.size();
   if (a == 0 || b == 0 || a > last || b > last) return;
-  (a == b ? hessian_.diagonal : hessian_.beyond)[a - 1] += block;
+  (a == b ? there_.hessian.diagonal : there_.hessian.beyond)[a - 1] += block;
 }
 
-double TautString::hop_length(const Vec3& d, std::size_t hop, bool with_derivatives) {
+double TautString::hop_length(const Vec3& d, std::size_t hop) {
   const double soft = kSoft * scale_m_;
   const double level = soft_norm(d.x() * d.x() + d.y() * d.y(), soft);
   const double rise = std::abs(d.z());
   const bool steep = rise > steepest_ * level;
   const double whole = soft_norm(d.squaredNorm(), soft);
   const double excess = steep ? std::sqrt(1.0 + steepest_ * steepest_) - steepest_ : 0.0;
-  if (with_derivatives) {
-    Vec3 g = d / whole;
-    Mat3 h = (Mat3::Identity() - g * g.transpose()) / (whole * scale_m_);
-    if (steep) {
-      const Vec3 u(d.x() / level, d.y() / level, 0.0);
-      g = excess * u + Vec3(0.0, 0.0, d.z() < 0.0 ? -1.0 : 1.0);
-      h = (Mat3(Vec3(1.0, 1.0, 0.0).asDiagonal()) - u * u.transpose()) * (excess / (level * scale_m_));
-    }
-    gradient_[hop] -= g / scale_m_;
-    gradient_[hop + 1] += g / scale_m_;
-    add_block(hop, hop, h);
-    add_block(hop + 1, hop + 1, h);
-    add_block(hop, hop + 1, -h);
+  Vec3 g = d / whole;
+  Mat3 h = (Mat3::Identity() - g * g.transpose()) / (whole * scale_m_);
+  if (steep) {
+    const Vec3 u(d.x() / level, d.y() / level, 0.0);
+    g = excess * u + Vec3(0.0, 0.0, d.z() < 0.0 ? -1.0 : 1.0);
+    h = (Mat3(Vec3(1.0, 1.0, 0.0).asDiagonal()) - u * u.transpose()) * (excess / (level * scale_m_));
   }
+  there_.gradient[hop] -= g / scale_m_;
+  there_.gradient[hop + 1] += g / scale_m_;
+  add_block(hop, hop, h);
+  add_block(hop + 1, hop + 1, h);
+  add_block(hop, hop + 1, -h);
   return (steep ? rise + excess * level : whole) / scale_m_;
 }
 
@@ -144,8 +153,8 @@ void TautString::push(const std::vector<Vec3>& chain, const Contact& c, const Ap
   const double alpha = 1.0 - beta;
   const Vec3& n = approach.normal;
   const double pull = force / scale_m_;
-  gradient_[hop] -= (pull * alpha) * n;
-  gradient_[hop + 1] -= (pull * beta) * n;
+  there_.gradient[hop] -= (pull * alpha) * n;
+  there_.gradient[hop + 1] -= (pull * beta) * n;
   const Mat3 nn = (weight_ / (scale_m_ * scale_m_)) * n * n.transpose();
   Mat3 aa = alpha * alpha * nn;
   Mat3 ab = alpha * beta * nn;
@@ -174,64 +183,79 @@ void TautString::push(const std::vector<Vec3>& chain, const Contact& c, const Ap
   add_block(hop, hop + 1, ab);
 }
 
-double TautString::contact(const std::vector<Vec3>& chain, Contact& c, bool with_derivatives) {
+/// False where the ground is farther than that.
+bool TautString::approach_ground(const Vec3& a, const Vec3& b, const Contact& c, double cap_m,
+                                 Approach& approach) const {
+  const Terrain& terrain = field_.world().terrain();
+  const double pieces = terrain.is_flat() ? kFlatPieces : kGroundPieces;
+  const double piece = -1 - c.solid;
+  const double from = piece / pieces;
+  const double to = (piece + 1.0) / pieces;
+  const double lowest_z = a.z() + (b.z() < a.z() ? to : from) * (b.z() - a.z());
+  if (lowest_z - c.ground_top_m > c.required_m + cap_m) return false;
+  const GroundContact low = lowest_over(terrain, a, b, from, to);
+  // Height is no distance: its gradient is longer than 1. The slack is taken as the height over it.
+  approach.normal = Vec3(-low.slope.x(), -low.slope.y(), 1.0);
+  const double lean = approach.normal.norm();
+  approach.normal /= lean;
+  approach.signed_distance_m = (low.height_m - c.required_m) / lean + c.required_m;
+  approach.fraction = low.fraction;
+  return true;
+}
+
+double TautString::contact(const std::vector<Vec3>& chain, Contact& c) {
   const Vec3& a = chain[c.hop];
   const Vec3& b = chain[c.hop + 1];
+  const double spent = 0.5 * c.multiplier * c.multiplier / weight_;
+  // Beyond this slack it exerts no force.
+  const double free = c.multiplier / weight_;
+  c.slack = free;
   Approach approach;
-  double lean = 1.0;
   if (c.solid >= 0) {
-    approach = field_.approach(static_cast<std::size_t>(c.solid), a, times_s_[c.hop], b, times_s_[c.hop + 1]);
-  } else {
-    const Terrain& terrain = field_.world().terrain();
-    const double pieces = terrain.is_flat() ? 2.0 : kGroundPieces;
-    const double piece = -1 - c.solid;
-    const GroundContact low = lowest_over(terrain, a, b, piece / pieces, (piece + 1.0) / pieces);
-    // Height is no distance: its gradient is longer than 1. The slack is taken as the height over it.
-    approach.normal = Vec3(-low.slope.x(), -low.slope.y(), 1.0);
-    lean = approach.normal.norm();
-    approach.normal /= lean;
-    approach.signed_distance_m = (low.height_m - c.required_m) / lean + c.required_m;
-    approach.fraction = low.fraction;
+    const auto solid = static_cast<std::size_t>(c.solid);
+    const double t0_s = times_s_[c.hop];
+    const double t1_s = times_s_[c.hop + 1];
+    const double more_m = free * scale_m_ + c.required_m - field_.required_m(solid);
+    if (!field_.near(solid, a, t0_s, b, t1_s, more_m)) return -spent;
+    approach = field_.approach(solid, a, t0_s, b, t1_s);
+  } else if (!approach_ground(a, b, c, 4.0 * free * scale_m_, approach)) {
+    return -spent;
   }
   c.fraction = approach.fraction;
   c.slack = (approach.signed_distance_m - c.required_m) / scale_m_;
   const double force = c.multiplier - weight_ * c.slack;
-  const double spent = 0.5 * c.multiplier * c.multiplier / weight_;
   if (force <= 0.0) return -spent;
-  if (with_derivatives) push(chain, c, approach, force);
+  push(chain, c, approach, force);
   return 0.5 * force * force / weight_ - spent;
 }
 
-double TautString::evaluate(const std::vector<Vec3>& chain, bool with_derivatives) {
+double TautString::evaluate(const std::vector<Vec3>& chain) {
   ++evaluations_;
   set_times(chain);
-  if (with_derivatives) {
-    for (Vec3& g : gradient_) g.setZero();
-    hessian_.set_zero();
-  }
+  for (Vec3& g : there_.gradient) g.setZero();
+  there_.hessian.set_zero();
   double value = 0.0;
-  for (std::size_t hop = 0; hop + 1 < chain.size(); ++hop) {
-    value += hop_length(chain[hop + 1] - chain[hop], hop, with_derivatives);
-  }
-  for (Contact& c : contacts_) value += contact(chain, c, with_derivatives);
+  for (std::size_t hop = 0; hop + 1 < chain.size(); ++hop)
+    value += hop_length(chain[hop + 1] - chain[hop], hop);
+  for (Contact& c : contacts_) value += contact(chain, c);
   return value;
 }
 
 /// A coordinate at its bound that is pushed outwards stays.
 void TautString::hold_at_bounds(const std::vector<Vec3>& chain) {
   const Bounds& bounds = field_.world().bounds();
-  for (std::size_t i = 0; i < hessian_.size(); ++i) {
+  for (std::size_t i = 0; i < here_.hessian.size(); ++i) {
     for (Eigen::Index axis = 0; axis < 3; ++axis) {
       const double at = chain[i + 1][axis];
       const bool low = at <= bounds.min_m[axis] && right_[i][axis] < 0.0;
       const bool high = at >= bounds.max_m[axis] && right_[i][axis] > 0.0;
       if (!low && !high) continue;
       right_[i][axis] = 0.0;
-      hessian_.diagonal[i].row(axis).setZero();
-      hessian_.diagonal[i].col(axis).setZero();
-      hessian_.diagonal[i](axis, axis) = 1.0 / (scale_m_ * scale_m_);
-      hessian_.beyond[i].row(axis).setZero();
-      if (i > 0) hessian_.beyond[i - 1].col(axis).setZero();
+      here_.hessian.diagonal[i].row(axis).setZero();
+      here_.hessian.diagonal[i].col(axis).setZero();
+      here_.hessian.diagonal[i](axis, axis) = 1.0 / (scale_m_ * scale_m_);
+      here_.hessian.beyond[i].row(axis).setZero();
+      if (i > 0) here_.hessian.beyond[i - 1].col(axis).setZero();
     }
   }
 }
@@ -240,14 +264,15 @@ void TautString::minimise(std::vector<Vec3>& chain, int steps, std::uint64_t max
   const Bounds& bounds = field_.world().bounds();
   const double unit = 1.0 / (scale_m_ * scale_m_);
   double damping = 1e-3 * unit;
-  double value = evaluate(chain, true);
+  double value = evaluate(chain);
+  std::swap(here_, there_);
   for (int k = 0; k < steps && evaluations_ < max_evaluations; ++k) {
-    for (std::size_t i = 0; i < right_.size(); ++i) right_[i] = -gradient_[i + 1];
+    for (std::size_t i = 0; i < right_.size(); ++i) right_[i] = -here_.gradient[i + 1];
     hold_at_bounds(chain);
     bool moved = false;
     double gain = 0.0;
     for (int tries = 0; tries < 12 && evaluations_ < max_evaluations; ++tries) {
-      if (!hessian_.solve(damping, right_, step_)) {
+      if (!here_.hessian.solve(damping, right_, step_)) {
         damping = std::max(8.0 * damping, 0.1 * unit);
         continue;
       }
@@ -258,9 +283,10 @@ void TautString::minimise(std::vector<Vec3>& chain, int steps, std::uint64_t max
       for (std::size_t i = 0; i < step_.size(); ++i) {
         trial_[i + 1] = (chain[i + 1] + share * step_[i]).cwiseMax(bounds.min_m).cwiseMin(bounds.max_m);
       }
-      const double next = evaluate(trial_, false);
+      const double next = evaluate(trial_);
       if (next < value) {
         gain = value - next;
+        value = next;
         moved = true;
         damping *= 0.2;
         break;
@@ -270,8 +296,8 @@ void TautString::minimise(std::vector<Vec3>& chain, int steps, std::uint64_t max
     }
     if (!moved) return;
     std::swap(chain, trial_);
+    std::swap(here_, there_);
     if (gain <= kEnough) return;
-    value = evaluate(chain, true);
   }
 }
 
@@ -285,19 +311,19 @@ TautResult TautString::tighten(std::vector<Vec3>& chain, double start_time_s, st
   scale_m_ = std::min(distance_m_, kMeanHops * mean_m);
   near_m_ = std::min(kNearOfScale * distance_m_, kNearOfHop * mean_m);
   contacts_.clear();
-  gradient_.resize(chain.size());
+  here_.resize(chain.size());
+  there_.resize(chain.size());
   trial_ = chain;
   const std::size_t inner = chain.size() - 2;
   right_.resize(inner);
   step_.resize(inner);
-  hessian_.resize(inner);
   weight_ = params.first_weight;
   double violation = 0.0;
   for (int round = 0; round < params.rounds; ++round) {
     set_times(chain);
     collect(chain);
     if (inner > 0) minimise(chain, params.steps_per_round, max_evaluations);
-    evaluate(chain, false);
+    evaluate(chain);
     violation = 0.0;
     double change = 0.0;
     for (Contact& c : contacts_) {

@@ -55,21 +55,25 @@ class TautString {
   void set_ground_factor(double factor) { ground_factor_ = factor; }
 
  private:
-  static constexpr int kGroundPieces = 4;
   struct Contact {
     std::size_t hop = 0;
     int solid = 0;  ///< index in the field; −1 − piece: the ground
     double required_m = 0.0;
+    double ground_top_m = 0.0;  ///< no ground near the piece is higher
     double multiplier = 0.0;
     double slack = 0.0;     ///< of the last evaluation, share of the scale
     double fraction = 0.0;  ///< the same, along the hop
   };
 
   void collect(const std::vector<Vec3>& chain);
-  void add(std::size_t hop, int solid, double required_m, std::size_t& old);
-  double evaluate(const std::vector<Vec3>& chain, bool with_derivatives);
-  double hop_length(const Vec3& d, std::size_t hop, bool with_derivatives);
-  double contact(const std::vector<Vec3>& chain, Contact& c, bool with_derivatives);
+  void collect_ground(const Vec3& a, const Vec3& b, std::size_t hop, std::size_t& old);
+  Contact& add(std::size_t hop, int solid, double required_m, std::size_t& old);
+  /// Leaves the derivatives in there_.
+  double evaluate(const std::vector<Vec3>& chain);
+  double hop_length(const Vec3& d, std::size_t hop);
+  double contact(const std::vector<Vec3>& chain, Contact& c);
+  bool approach_ground(const Vec3& a, const Vec3& b, const Contact& c, double cap_m,
+                       Approach& approach) const;
   void push(const std::vector<Vec3>& chain, const Contact& c, const Approach& approach, double force);
   void add_block(std::size_t a, std::size_t b, const Mat3& block);
   void minimise(std::vector<Vec3>& chain, int steps, std::uint64_t max_evaluations);
@@ -92,12 +96,20 @@ class TautString {
   std::vector<double> times_s_;
   std::vector<Contact> contacts_;
   std::vector<Contact> before_;
-  std::vector<Vec3> gradient_;
+  struct Derivatives {
+    std::vector<Vec3> gradient;
+    BlockChain hessian;
+    void resize(std::size_t points) {
+      gradient.resize(points);
+      hessian.resize(points - 2);
+    }
+  };
+  Derivatives here_;   ///< of the chain
+  Derivatives there_;  ///< of the trial, or being worked out
   std::vector<Vec3> right_;
   std::vector<Vec3> step_;
   std::vector<Vec3> trial_;
   std::vector<Vec3> refined_;
-  BlockChain hessian_;
 };
 
 /// The length of a straight hop as it is flown within the climb limit.
