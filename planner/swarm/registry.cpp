@@ -68,6 +68,14 @@ Parameters parameters(AnyParams& params) {
   return std::visit([](auto& p) { return parameters(p); }, params);
 }
 
+Result<AnyParams> with_settings(AnyParams params, const Settings& settings) {
+  const Parameters known = parameters(params);
+  for (const auto& [name, value] : settings) {
+    if (Status status = set(known, name, value); !status) return status.error();
+  }
+  return params;
+}
+
 Result<Report> optimize(const AnyParams& params, const Problem& problem, const RunOptions& options) {
   return std::visit(
       [&](const auto& p) {

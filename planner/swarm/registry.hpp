@@ -2,6 +2,7 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -35,6 +36,11 @@ AnyParams with_population(AnyParams params, int population);
 
 /// What can be tuned; points into `params`.
 Parameters parameters(AnyParams& params);
+
+/// Values by parameter name, as they come from a user or from tuning.
+using Settings = std::vector<std::pair<std::string, double>>;
+/// Errors: as `set` (parameter.hpp).
+Result<AnyParams> with_settings(AnyParams params, const Settings& settings);
 
 /// Runs whichever algorithm the parameters belong to (see `run`). One for several objectives takes the cost
 /// as its only one.
