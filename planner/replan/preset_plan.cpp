@@ -226,6 +226,19 @@ StopCondition limited(StopCondition stop, std::uint64_t population) {
   return stop;
 }
 
+/// What a certified path costs; a path that stays where it is costs nothing.
+PricedReport priced(PlanReport plan, const std::shared_ptr<const World>& world, const PathProblemSpec& spec) {
+  PricedReport report{std::move(plan), {}, {}};
+  std::vector<Vec3> polyline;
+  for (const TimedWaypoint& waypoint : report.plan.path) {
+    if (polyline.empty() || polyline.back() != waypoint.position_m) polyline.push_back(waypoint.position_m);
+  }
+  if (polyline.size() < 2) return report;
+  if (const Result<PathProblem> problem = PathProblem::make(world, spec))
+    report.terms = problem->terms(polyline);
+  return report;
+}
+
 }  // namespace
 
 Result<PricedReport> plan_with_cost(std::shared_ptr<const World> world, const PricedRequest& request,
@@ -241,18 +254,13 @@ Result<PricedReport> plan_with_cost(std::shared_ptr<const World> world, const Pr
   spec.limits = request.plan.limits;
   spec.cost = request.cost;
   spec.cost.step_grows = published;
-  if (Status status = validate(request.plan.params); !status) return status.error();
-  const Result<PathProblem> problem = PathProblem::make(world, spec);
-
   if (*preset == "default" && request.cost.weights.empty() && !published) {
     Result<PlanReport> plan = plan_path(world, request.plan, stop, clock, observer);
     if (!plan) return plan.error();
-    PricedReport report{std::move(*plan), {}, {}};
-    std::vector<Vec3> polyline;
-    for (const TimedWaypoint& waypoint : report.plan.path) polyline.push_back(waypoint.position_m);
-    if (problem && polyline.size() > 1) report.terms = problem->terms(polyline);
-    return report;
+    return priced(std::move(*plan), world, spec);
   }
+  if (Status status = validate(request.plan.params); !status) return status.error();
+  const Result<PathProblem> problem = PathProblem::make(world, spec);
   if (!problem) return problem.error();
   Result<swarm::AnyParams> params = swarm::params_by_name(request.plan.params.algorithm);
   if (!params) return params.error();
