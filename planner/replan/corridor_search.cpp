@@ -7,6 +7,7 @@
 #include "planner/base/rng.hpp"
 #include "planner/replan/nearby_solids.hpp"
 #include "planner/replan/sidestep.hpp"
+#include "planner/replan/stretch_search.hpp"
 #include "planner/replan/taut_string.hpp"
 
 namespace swallowtail::planner {
@@ -24,7 +25,10 @@ constexpr std::uint64_t kPolishEvaluations = 400;
 constexpr std::uint64_t kFirstLooks = 4000;
 constexpr std::uint64_t kLooks = 400;
 constexpr int kTreesPerRound = 4;
+constexpr std::size_t kTreesPerSwarm = 8;  ///< along stretches
 constexpr int kRefinements = 3;
+/// A path of many points is improved along stretches in one round of so many.
+constexpr int kStretchesEvery = 4;
 /// Evaluations kept back for what comes after a step: its last look, and the offer.
 constexpr std::uint64_t kSpare = 6;
 /// A chain whose length after the first rounds of the polish is beyond the best by this share is given up.
@@ -42,6 +46,7 @@ class Search {
         nearby_(problem.field()),
         sidestep_(problem.field(), nearby_, problem.limits()),
         taut_(problem.field(), nearby_, problem.limits(), problem.distance_m()),
+        stretches_(problem, params, sidestep_, taut_, rng_),
         steepest_(steepest_slope(problem.limits())) {}
 
   std::uint64_t evaluations() const { return evaluations_; }
@@ -150,6 +155,27 @@ class Search {
     return true;
   }
 
+  /// Whether the best path is too long for a swarm of the problem's waypoints.
+  bool is_long() const {
+    return found() && best_.size() > 2 * static_cast<std::size_t>(problem_.waypoints()) &&
+           !problem_.field().anything_moves();
+  }
+
+  /// Other ways along stretches of the best path; what they gain together is offered.
+  Result<bool> try_stretches(const swarm::AnyParams& params) {
+    chain_ = best_;
+    bool shorter = false;
+    for (std::size_t k = 0; k < best_.size() && !ended(); ++k) {
+      if (params_.parts.tree) shorter = stretches_.try_tree(chain_, evaluations_) || shorter;
+      if (!params_.parts.butterflies || k % kTreesPerSwarm != 0) continue;
+      Result<bool> gained = stretches_.try_swarm(chain_, params, evaluations_);
+      if (!gained) return gained.error();
+      shorter = *gained || shorter;
+    }
+    if (shorter && !offer(chain_) && refused_) polish(chain_);
+    return true;
+  }
+
   /// The best path's waypoints.
   std::vector<Vec3> best() const { return {best_.begin() + 1, best_.end() - 1}; }
 
@@ -162,6 +188,7 @@ class Search {
   NearbySolids nearby_;
   Sidestep sidestep_;
   TautString taut_;
+  StretchSearch stretches_;
   double steepest_;
   std::uint64_t evaluations_ = 0;
   double accepted_ = kInfinity;
@@ -214,6 +241,13 @@ Result<CorridorReport> search_corridor(const DetourProblem& problem, const Corri
   for (int round = 0; round < params.max_rounds && !finished(); ++round) {
     if (search.left() <= kSpare || search.ended()) break;
     const double before = search.accepted();
+    if (search.is_long() && round % kStretchesEvery == kStretchesEvery - 1) {
+      Result<bool> done = search.try_stretches(swarm_params);
+      if (!done) return done.error();
+      idle = search.accepted() < before * (1.0 - 1e-4) ? 0 : idle + 1;
+      if (idle >= params.idle_rounds) break;
+      continue;
+    }
     for (int k = 0; params.parts.tree && k < kTreesPerRound && !search.ended() && !finished(); ++k)
       search.try_tree(0.15 * (k + 1), kLooks);
     if (params.parts.butterflies && !search.ended() && !finished()) {
