@@ -53,7 +53,7 @@ double share_smaller(const std::vector<double>& a, const std::vector<double>& b)
 RankTest kolmogorov_smirnov(std::vector<double> a, std::vector<double> b);
 
 /// p values of several tests, each raised so that the chance of any false alarm among them stays what it is
-/// for one (Holm's step-down method); in the order given, at most 1.
+/// for one [HOLM]; in the order given, at most 1.
 std::vector<double> holm(const std::vector<double>& p_values);
 
 /// Values rounded to multiples of `resolution` > 0, so that rounding noise does not decide a rank test;
