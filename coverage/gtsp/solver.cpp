@@ -1,8 +1,10 @@
 #include "coverage/gtsp/solver.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "coverage/gtsp/detail/run.hpp"
+#include "coverage/gtsp/proof/settle.hpp"
 
 namespace swallowtail::gtsp {
 namespace {
@@ -51,6 +53,17 @@ Status check_ends(const Options& options, const Instance& instance) {
   return {};
 }
 
+constexpr double kBoundShare = 0.1;  ///< of the time to a deadline
+
+/// Grows with the search's time, which is about n³ of steps at equal quality.
+double bound_work_of(const Instance& instance, const Options& options) {
+  if (options.warm_tour && options.bound_effort <= 1.0) return 0.0;
+  const double n = instance.vertex_count();
+  const double usual = std::clamp(1.2 * n * n * n, 2e7, 4e9);
+  const double of_mode = options.mode == Mode::kFast ? 0.125 : options.mode == Mode::kSlow ? 8.0 : 1.0;
+  return options.bound_effort * of_mode * usual;
+}
+
 }  // namespace
 
 Status validate(const Options& options, const Instance& instance) {
@@ -62,6 +75,10 @@ Status validate(const Options& options, const Instance& instance) {
   }
   if (options.threads < 1 || options.threads > 256) {
     return bad_input("threads is " + std::to_string(options.threads) + "; it must be from 1 to 256.");
+  }
+  if (!(options.bound_effort >= 0.0 && options.bound_effort <= 1000.0)) {
+    return bad_input("bound_effort is " + std::to_string(options.bound_effort) +
+                     "; it must be from 0 to 1000.");
   }
   if (std::isnan(options.stop.deadline_s)) return bad_input("stop.deadline_s is not a number.");
   if (options.stop.clock == nullptr && std::isfinite(options.stop.deadline_s)) {
@@ -93,7 +110,15 @@ Solution solve(const Instance& instance, const Options& options) {
     refused.reason = s.error().message;
     return refused;
   }
-  return detail::Run(instance, options, detail::effort_of(options.mode)).solve();
+  const double bound_work = bound_work_of(instance, options);
+  Options searching = options;
+  if (bound_work > 0.0 && std::isfinite(options.stop.deadline_s)) {
+    const double now_s = options.stop.clock->now_s();
+    searching.stop.deadline_s -= kBoundShare * std::max(0.0, options.stop.deadline_s - now_s);
+  }
+  Solution solution = detail::Run(instance, searching, detail::effort_of(options.mode)).solve();
+  proof::settle(instance, options, bound_work, solution);
+  return solution;
 }
 
 }  // namespace swallowtail::gtsp

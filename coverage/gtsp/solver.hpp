@@ -52,6 +52,10 @@ struct Options {
   /// solver.
   std::function<void(const Incumbent&)> on_incumbent = {};
   int threads = 1;  ///< 1 … 256
+  /// How much work goes into the lower bound after the search, times what is usual for the mode (about a
+  /// tenth of the search's); 0 … 1000. Up to 1, nothing with a warm tour; under a deadline up to a tenth of
+  /// the time is kept for it.
+  double bound_effort = 1.0;
 };
 
 /// Errors (kBadInput): an id out of range, a prefix with two vertices of a cluster, start or end against

@@ -39,6 +39,8 @@ class Run {
   bool finish_trivial();
   bool finish_unreachable();
   bool finish_exact();
+  bool finish_by_subsets(double work);
+  bool finish_by_walks();
   void finish(const Found& best, SolveStatus status, std::string reason);
   void finish_infeasible(std::string reason);
   std::string cluster_name(int reduced_cluster) const;

@@ -4,6 +4,7 @@
 #include "coverage/gtsp/detail/exact.hpp"
 #include "coverage/gtsp/detail/pruning.hpp"
 #include "coverage/gtsp/detail/run.hpp"
+#include "coverage/gtsp/proof/certificate.hpp"
 
 namespace swallowtail::gtsp::detail {
 /// Tours in which nothing is left to choose.
@@ -56,18 +57,48 @@ bool Run::finish_unreachable() {
   return false;
 }
 
+/// Subsets where they are quickly gone through, else priced walks, else subsets after all.
 bool Run::finish_exact() {
-  const ExactAnswer answer = solve_exactly(instance_, anchor_, *reduced_, effort_.exact_work, options_.stop);
+  constexpr double kQuickWork = 2e7;
+  return finish_by_subsets(std::min(kQuickWork, effort_.exact_work)) || finish_by_walks() ||
+         finish_by_subsets(effort_.exact_work);
+}
+
+bool Run::finish_by_subsets(double work) {
+  const ExactAnswer answer = solve_exactly(instance_, anchor_, *reduced_, work, options_.stop);
   if (answer.kind == ExactAnswer::Kind::kNoTour) {
     finish_infeasible("All orders of the clusters were considered: each needs a missing arc.");
     return true;
   }
   if (answer.kind != ExactAnswer::Kind::kSolved) return false;
-  finish(
-      found_from(
-          instance_, anchor_, answer.order, [this](int v) { return reduced_->original(v); }, options_.kind),
-      SolveStatus::kOptimal, "Dynamic programming over all subsets of clusters.");
+  const auto original = [this](int v) { return reduced_->original(v); };
+  finish(found_from(instance_, anchor_, answer.order, original, options_.kind), SolveStatus::kOptimal,
+         "Dynamic programming over all subsets of clusters.");
   return true;
+}
+
+bool Run::finish_by_walks() {
+  constexpr int kMostClusters = 24;
+  if (effort_.exact_work == 0.0 || reduced_->cluster_count() > kMostClusters || options_.stop.reached(0, 0))
+    return false;
+  const Pruning pruning = instance_.is_complete() ? all_alive(instance_, anchor_) : prune(instance_, anchor_);
+  proof::CertificateParams params;
+  params.work = 0.8 * effort_.exact_work;
+  const proof::Certificate certificate = proof::certify(instance_, anchor_, pruning, params, options_.stop);
+  if (certificate.kind == proof::Certificate::Kind::kNoTour) {
+    finish_infeasible(
+        "No walk over arcs that are there returns after visiting as many clusters as there are.");
+    return true;
+  }
+  if (certificate.kind == proof::Certificate::Kind::kOptimal) {
+    const auto same = [](int v) { return v; };
+    finish(found_from(instance_, anchor_, certificate.order, same, options_.kind), SolveStatus::kOptimal,
+           "All tours below the bound of priced walks were considered.");
+    return true;
+  }
+  solution_.lower_bound = std::max(solution_.lower_bound, anchor_.inner_cost + certificate.lower_bound);
+  rounding_ = std::max(rounding_, certificate.rounding);
+  return false;
 }
 
 }  // namespace swallowtail::gtsp::detail
