@@ -17,6 +17,19 @@ Vec3 point(const LanePoint& p, int lane) { return {p.x[lane], p.y[lane], p.z[lan
 
 BatchField::BatchField(const ObstacleField& field) : field_(&field) {
   for (std::size_t i = field.standing(); i < field.size(); ++i) timed_.push_back(i);
+  if (const TerrainGrid* grid = field.world().terrain().grid()) {
+    const Terrain::Blocks blocks = field.world().terrain().blocks();
+    ground_ = detail::GroundView{.elevation_m = grid->elevation_m.data(),
+                                 .rows = grid->rows,
+                                 .cols = grid->cols,
+                                 .origin_x_m = grid->origin_m.x(),
+                                 .origin_y_m = grid->origin_m.y(),
+                                 .per_metre = 1.0 / grid->cell_size_m,
+                                 .block_max_m = blocks.max_m,
+                                 .block_rows = blocks.rows,
+                                 .block_cols = blocks.cols,
+                                 .block_cells = blocks.cells};
+  }
 }
 
 void BatchField::add_length(const LanePoint& a, const LanePoint& b, Lanes& sum_m) {
@@ -41,8 +54,13 @@ Lanes BatchField::axis_distance_m(std::size_t obstacle, const LanePoint& a, cons
 }
 
 void BatchField::add_terrain_violation(const LanePoint& a, const LanePoint& b, Lanes& sum_m) const {
-  for (int lane = 0; lane < kLanes; ++lane)
-    sum_m[lane] += field_->terrain_violation_m(point(a, lane), point(b, lane));
+  const double required_m = field_->ground_clearance_m();
+  Lanes least_m;
+  const unsigned found = ground_ ? kernel().least_height(*ground_, a, b, required_m, least_m) : 0U;
+  for (int lane = 0; lane < kLanes; ++lane) {
+    sum_m[lane] += (found >> lane & 1U) != 0 ? required_m - least_m[lane]
+                                             : field_->terrain_violation_m(point(a, lane), point(b, lane));
+  }
 }
 
 void BatchField::add_length_below_ground(const LanePoint& a, const LanePoint& b, Lanes& sum_m) const {

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "planner/kernels/detail/ground_view.hpp"
 #include "planner/kernels/lanes.hpp"
 #include "planner/kernels/obstacle_field.hpp"
 
@@ -52,6 +54,7 @@ class BatchField {
 
  private:
   const ObstacleField* field_;
+  std::optional<detail::GroundView> ground_;  ///< none over a plane
   std::vector<std::size_t> timed_;
 };
 

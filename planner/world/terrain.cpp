@@ -160,6 +160,8 @@ double Terrain::max_slope_in(const Vec2& lo, const Vec2& hi) const {
                                      grid_->to_grid_clamped(lo.cwiseMax(hi)));
 }
 
+Terrain::Blocks Terrain::blocks() const { return grid_ ? grid_->pyramid.blocks() : Blocks{}; }
+
 const TerrainGrid* Terrain::grid() const { return grid_ ? &grid_->grid : nullptr; }
 
 Result<Terrain> mountains_terrain(const std::vector<Mountain>& mountains, const Vec2& lo, const Vec2& hi,

@@ -5,6 +5,7 @@
 
 #include "planner/kernels/batch_field.hpp"
 #include "planner/kernels/detail/field_solid.hpp"
+#include "planner/kernels/detail/ground_view.hpp"
 
 namespace swallowtail::planner::detail {
 
@@ -21,6 +22,10 @@ struct BatchKernel {
   void (*add_violation)(const SolidList&, const LanePoint&, const LanePoint&, Lanes& sum_m);
   std::size_t (*distances)(const SolidList&, const LanePoint&, const LanePoint&, double cap_m, LaneDistance*);
   void (*axis_distance)(const FieldSolid&, const LanePoint&, const LanePoint&, Lanes& out_m);
+  /// The lesser of cap_m and each hop's least height above the raster; answers the lanes (bits) for which it
+  /// was found: not those that leave the raster or cross very many blocks.
+  unsigned (*least_height)(const GroundView&, const LanePoint&, const LanePoint&, double cap_m,
+                           Lanes& least_m);
   void (*add_length)(const LanePoint&, const LanePoint&, Lanes& sum_m);
 };
 

@@ -3,3 +3,4 @@
 #include "planner/kernels/detail/vector_real.inl"
 #include "planner/kernels/detail/signed_distance.inl"
 #include "planner/kernels/detail/batch_loops.inl"
+#include "planner/kernels/detail/terrain_loops.inl"

@@ -25,3 +25,23 @@ inline Real root(const Real& a) {
   for (int i = 0; i < kLanes; ++i) r[i] = __builtin_sqrt(a[i]);
   return r;
 }
+
+using Index = int __attribute__((vector_size(sizeof(int) * kLanes)));
+using Narrow = float __attribute__((vector_size(sizeof(float) * kLanes)));
+
+/// Without its fraction; numbers within the range of int.
+inline Real whole(const Real& a) { return __builtin_convertvector(__builtin_convertvector(a, Index), Real); }
+/// from[index] in each lane.
+inline Real gather(const float* from, const Real& index) {
+  const Index at = __builtin_convertvector(index, Index);
+  Narrow values;
+#ifdef __AVX2__
+  __m256i offsets;
+  std::memcpy(&offsets, &at, sizeof offsets);
+  const __m256 found = _mm256_i32gather_ps(from, offsets, sizeof(float));
+  std::memcpy(&values, &found, sizeof values);
+#else
+  for (int i = 0; i < kLanes; ++i) values[i] = from[at[i]];
+#endif
+  return __builtin_convertvector(values, Real);
+}

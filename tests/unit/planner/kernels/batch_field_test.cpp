@@ -80,7 +80,7 @@ TEST(BatchField, GivesWhatTheFieldGivesLaneByLane) {
       }
       EXPECT_NEAR(violation_m[lane], expected_m, 1e-8);
       EXPECT_NEAR(length_m[lane], (b - a).norm(), 1e-12);
-      EXPECT_EQ(terrain_m[lane], field.terrain_violation_m(a, b));
+      EXPECT_NEAR(terrain_m[lane], field.terrain_violation_m(a, b), 1e-10);
       EXPECT_EQ(below_m[lane], world->terrain().length_below(a, b));
     }
   }
