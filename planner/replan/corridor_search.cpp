@@ -198,9 +198,11 @@ class Search {
   std::vector<Vec3> best_;
 };
 
-swarm::AnyParams swarm_params_of(const swarm::AnyParams& defaults, const CorridorParams& params) {
-  swarm::AnyParams swarm_params = swarm::with_population(defaults, params.population);
-  if (auto* boa = std::get_if<swarm::BoaParams>(&swarm_params); boa != nullptr && !params.parts.launcher) {
+Result<swarm::AnyParams> swarm_params_of(const swarm::AnyParams& defaults, const CorridorParams& params) {
+  Result<swarm::AnyParams> swarm_params =
+      swarm::with_settings(swarm::with_population(defaults, params.population), params.settings);
+  if (!swarm_params) return swarm_params;
+  if (auto* boa = std::get_if<swarm::BoaParams>(&*swarm_params); boa != nullptr && !params.parts.launcher) {
     boa->launcher.hop_share = std::numeric_limits<double>::max();
     boa->launcher.stall_iterations = std::numeric_limits<int>::max();
   }
@@ -224,7 +226,8 @@ Result<CorridorReport> search_corridor(const DetourProblem& problem, const Corri
   Result<swarm::AnyParams> algorithm = swarm::params_by_name(params.algorithm);
   if (!algorithm) return algorithm.error();
   if (Status status = validate(params.parts); !status) return status.error();
-  const swarm::AnyParams swarm_params = swarm_params_of(*algorithm, params);
+  const Result<swarm::AnyParams> swarm_params = swarm_params_of(*algorithm, params);
+  if (!swarm_params) return swarm_params.error();
 
   Search search(problem, params, stop, seed, accept);
   const auto finished = [&] { return search.found() && params.idle_rounds == 0; };
@@ -242,7 +245,7 @@ Result<CorridorReport> search_corridor(const DetourProblem& problem, const Corri
     if (search.left() <= kSpare || search.ended()) break;
     const double before = search.accepted();
     if (search.is_long() && round % kStretchesEvery == kStretchesEvery - 1) {
-      Result<bool> done = search.try_stretches(swarm_params);
+      Result<bool> done = search.try_stretches(*swarm_params);
       if (!done) return done.error();
       idle = search.accepted() < before * (1.0 - 1e-4) ? 0 : idle + 1;
       if (idle >= params.idle_rounds) break;
@@ -259,7 +262,7 @@ Result<CorridorReport> search_corridor(const DetourProblem& problem, const Corri
                                  ? std::min(kFirstIterations[at], params.iterations_per_round)
                                  : params.iterations_per_round;
       Result<bool> done =
-          search.try_swarm(swarm_params, kBoxFactors[at % kBoxFactors.size()],
+          search.try_swarm(*swarm_params, kBoxFactors[at % kBoxFactors.size()],
                            seed + 0x9e3779b9ULL * static_cast<std::uint64_t>(round), iterations, starts);
       if (!done) return done.error();
     }

@@ -24,6 +24,7 @@ Status validate(const CorridorParts& parts);
 struct CorridorParams {
   std::string algorithm{"boa"};
   int population = 24;
+  swarm::Settings settings{};  ///< other parameters of the algorithm by name, over its defaults
   /// Of the swarm in each round at most, times the population; the polish comes on top. Ours.
   int iterations_per_round = 30;
   int max_rounds = 1'000'000;

@@ -150,6 +150,7 @@ class PointToPoint {
     CorridorParams params;
     params.algorithm = request_.params.algorithm;
     params.population = request_.params.population;
+    params.settings = request_.params.settings;
     params.parts = request_.params.parts;
     StopCondition stop = stop_;
     stop.max_evaluations -= report_.evaluations;
@@ -212,8 +213,9 @@ Status validate(const PlanParams& params) {
   if (Status status = validate(params.parts); !status) return status;
   Result<swarm::AnyParams> known = swarm::params_by_name(params.algorithm);
   if (!known) return known.error();
-  return std::visit([](const auto& p) { return swarm::validate(p); },
-                    swarm::with_population(*known, params.population));
+  known = swarm::with_settings(swarm::with_population(*known, params.population), params.settings);
+  if (!known) return known.error();
+  return std::visit([](const auto& p) { return swarm::validate(p); }, *known);
 }
 
 Result<PlanReport> plan_path(std::shared_ptr<const World> world, const PlanRequest& request,

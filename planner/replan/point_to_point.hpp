@@ -31,6 +31,7 @@ struct PlanParams {
   std::string algorithm = "boa";  ///< a name of swarm/registry.hpp
   int waypoints = 6;              ///< midpoints of the swarm's paths, 1 to 64; the answer may have more
   int population = 24;
+  swarm::Settings settings{};  ///< other parameters of the algorithm by name, over its defaults
   CorridorParts parts{};  ///< what takes part: leave something out to see what it is worth
 };
 Status validate(const PlanParams& params);

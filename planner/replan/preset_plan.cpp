@@ -273,6 +273,8 @@ Result<PricedReport> plan_with_cost(std::shared_ptr<const World> world, const Pr
   }
   const int population = request.plan.params.population;
   if (!published) params = swarm::with_population(*params, population);
+  params = swarm::with_settings(std::move(*params), request.plan.params.settings);
+  if (!params) return params.error();
   const StopCondition limits = limited(stop, published ? 0 : static_cast<std::uint64_t>(population));
   return PresetPlan(world, request, *problem, std::move(coarse), std::move(*params), limits, clock, observer)
       .run();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "planner/swarm/placement.hpp"
@@ -22,8 +23,8 @@ Parameters parameters(BoaParams& p) {
           {"switch_probability", &p.switch_probability, 0, 1, "[ARORA-SINGH]"},
           {"exponent", &p.exponent, 0, 1, "[ARORA-SINGH]"},
           {"exponent_end", &p.exponent_end, 0, 1, "[ARORA-SINGH]"},
-          {"hop_share", &p.launcher.hop_share, 1e-6, 1e6, "ours"},
-          {"stall_iterations", &p.launcher.stall_iterations, 1, 1e6, "ours"},
+          {"hop_share", &p.launcher.hop_share, 1e-6, std::numeric_limits<double>::max(), "ours"},
+          {"stall_iterations", &p.launcher.stall_iterations, 1, std::numeric_limits<int>::max(), "ours"},
           {"throws", &p.launcher.throws, 1, 1000, "ours"}};
 }
 

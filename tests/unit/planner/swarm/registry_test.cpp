@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <set>
 
 namespace swallowtail::swarm {
@@ -52,7 +53,9 @@ TEST(Registry, EveryParameterHoldsToItsRange) {
       EXPECT_GE(parameter.get(), parameter.min) << algorithm << ' ' << parameter.name;
       EXPECT_LE(parameter.get(), parameter.max) << algorithm << ' ' << parameter.name;
       const std::string name(parameter.name);
-      EXPECT_FALSE(with_settings(params, {{name, parameter.max + 1.0}}).ok()) << algorithm << ' ' << name;
+      EXPECT_FALSE(with_settings(params, {{name, std::numeric_limits<double>::infinity()}}).ok())
+          << algorithm << ' ' << name;
+      EXPECT_FALSE(with_settings(params, {{name, parameter.min - 1.0}}).ok()) << algorithm << ' ' << name;
       EXPECT_FALSE(with_settings(params, {{name, std::nan("")}}).ok()) << algorithm << ' ' << name;
       AnyParams changed = *with_settings(params, {{name, parameter.max}});
       for (const Parameter& now : parameters(changed)) {
