@@ -13,6 +13,7 @@
 namespace swallowtail::cli {
 
 void add_plan(CLI::App& app, Exit& exit);
+void add_tune(CLI::App& app, Exit& exit);
 void add_cover(CLI::App& app, Exit& exit);
 void add_gtsp(CLI::App& app, Exit& exit);
 void add_terrain(CLI::App& app, Exit& exit);

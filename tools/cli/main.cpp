@@ -17,6 +17,7 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", SWALLOWTAIL_VERSION);
   app.footer(swallowtail::cli::kExitCodesHelp);
   swallowtail::cli::add_plan(app, exit);
+  swallowtail::cli::add_tune(app, exit);
   swallowtail::cli::add_cover(app, exit);
   swallowtail::cli::add_gtsp(app, exit);
 #ifdef SWALLOWTAIL_WITH_MISSIONS
