@@ -81,6 +81,8 @@ class Instance {
   bool is_complete() const { return kind_ == Kind::kPoints; }
   bool is_sparse() const { return kind_ == Kind::kArcs; }
 
+  /// n×n, row = from, kNoArc = no arc (and on the diagonal); empty unless given as a matrix.
+  std::span<const double> matrix() const { return matrix_; }
   /// As the metric's distance wants them (radians on a sphere); empty unless given as points.
   std::span<const Point> points() const { return points_; }
   /// Of the points.

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <utility>
@@ -63,6 +65,8 @@ class Annealer {
   static constexpr std::uint64_t kKicksBetweenQuestions = 64;
   static constexpr std::uint64_t kKicksBetweenReports = 1024;
   static constexpr int kLongestStretch = 50;
+  static constexpr int kLongestSwap = 1000;
+  static constexpr int kWalk = 3;
 
   struct Best {
     std::vector<int> tour;  ///< not yet written down while it is the current one
@@ -96,13 +100,37 @@ class Annealer {
     climber.tour().forget_changes();
   }
 
+  /// Half of the kicks cut the tour at three places a few steps along it apart, the others at three that are
+  /// near in cost: the former reach far, the latter let parts of the tour that pass each other exchange
+  /// clusters.
   void kick(Climber<Costs>& climber) {
+    if (rng_.below(2) == 0 && kick_near(climber)) return;
     const int m = climber.tour().size();
     const auto longest = static_cast<std::uint64_t>(std::min(kLongestStretch, (m - 2) / 3));
     const int first = static_cast<int>(rng_.below(static_cast<std::uint64_t>(m)));
-    const int a = 1 + static_cast<int>(rng_.below(longest));
-    const int b = 1 + static_cast<int>(rng_.below(longest));
-    climber.kick(first, a, b);
+    const int middle = first + static_cast<int>(rng_.below(longest));
+    const int last = middle + 1 + static_cast<int>(rng_.below(longest));
+    climber.swap(first, middle % m, last % m);
+  }
+
+  /// Three places by random walks over near clusters [APPLEGATE-COOK-ROHE]. False when they do not differ or
+  /// lie so far apart that the swap would take long.
+  bool kick_near(Climber<Costs>& climber) {
+    const ArrayTour& tour = climber.tour();
+    std::array<int, 3> cut{};
+    cut[0] = static_cast<int>(rng_.below(static_cast<std::uint64_t>(tour.size())));
+    for (std::size_t i = 1; i < cut.size(); ++i) {
+      int v = tour.vertex(cut[0]);
+      for (int step = 0; step < kWalk; ++step) {
+        const auto near = candidates_.out_of(v);
+        v = tour.vertex(tour.position_of(near[static_cast<std::size_t>(rng_.below(near.size()))].vertex));
+      }
+      cut[i] = tour.position_of(v);
+    }
+    std::sort(cut.begin(), cut.end());
+    if (cut[0] == cut[1] || cut[1] == cut[2] || cut[2] - cut[0] > kLongestSwap) return false;
+    climber.swap(cut[0] + 1, cut[1], cut[2]);
+    return true;
   }
 
   bool accepts(Cost cost, Cost before, double temperature) {

@@ -53,16 +53,17 @@ class ArrayTour {
   void swap_stretches(int first, int middle, int last);
 
   void forget_changes() { changes_.clear(); }
-  bool has_changes() const { return !changes_.empty(); }
-  void take_back() {
-    for (auto c = changes_.rbegin(); c != changes_.rend(); ++c) {
-      if (c->last < 0) {
-        vertices_[at(-1 - c->last)] = c->first;
+  std::size_t change_count() const { return changes_.size(); }
+  /// Takes the latest changes back until `count` are left.
+  void take_back(std::size_t count = 0) {
+    for (; changes_.size() > count; changes_.pop_back()) {
+      const Change& c = changes_.back();
+      if (c.last < 0) {
+        vertices_[at(-1 - c.last)] = c.first;
       } else {
-        swap_ends(c->first, c->last);
+        swap_ends(c.first, c.last);
       }
     }
-    changes_.clear();
   }
 
  private:

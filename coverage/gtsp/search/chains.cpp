@@ -8,16 +8,21 @@
 #include <thread>
 
 #include "coverage/gtsp/search/annealer.hpp"
+#include "coverage/gtsp/search/recombine.hpp"
 
 namespace swallowtail::gtsp::search {
 namespace {
 
 constexpr int kNear = 10;
-constexpr double kHot = 0.5;
-constexpr double kCold = 0.03;
+constexpr double kHot = 0.8;
+constexpr double kCold = 0.05;
 constexpr double kWarmHot = 0.1;
 /// Up to so many clusters the second chain begins each round anew.
 constexpr int kMostRestarted = 400;
+/// Tours kept to be recombined with.
+constexpr std::size_t kPool = 8;
+/// The longest round's kicks, of the first's.
+constexpr std::uint64_t kLongestRound = 8;
 
 struct Chain {
   std::vector<int> tour;
@@ -38,9 +43,11 @@ class Rounds {
   std::uint64_t run() {
     std::uint64_t left = setup_.kicks;
     std::uint64_t most = std::max<std::uint64_t>(1, setup_.first_kicks);
-    for (int round = 0; round == 0 || (left > 0 && !setup_.stop.reached(0, 0)); ++round, most *= 2) {
+    for (int round = 0; round == 0 || (left > 0 && !setup_.stop.reached(0, 0)); ++round) {
       prepare(round, left, most);
       run_round(round);
+      recombine();
+      most = std::min(2 * most, kLongestRound * setup_.first_kicks);
       for (const Chain& chain : chains_) left -= chain.share;
     }
     std::uint64_t kicks = 0;
@@ -53,16 +60,37 @@ class Rounds {
 
   void prepare(int round, std::uint64_t left, std::uint64_t most) {
     const bool is_restarted = setup_.start.empty() && problem_.cluster_count() <= kMostRestarted;
-    if (chains_[1].cost < chains_[0].cost) {
-      std::swap(chains_[0].tour, chains_[1].tour);
-      std::swap(chains_[0].cost, chains_[1].cost);
-    }
+    // Where costs differ each way, the best tour's sense is the one thing that local moves cannot change.
+    const bool is_turned = round % 2 == 1 && setup_.start.empty() && !problem_.is_symmetric();
     for (int i = 0; i < kChains; ++i) {
       Chain& chain = chains_[at(i)];
       chain.share = std::min(most, i == 0 ? left - left / 2 : left / 2);
       if (round == 0 && !setup_.start.empty()) chain.tour = setup_.start;
       if (chain.tour.empty() || (i > 0 && is_restarted)) chain.tour = new_tour(chain_rng(round, i).split(1));
+      if (i > 0 && is_turned) chain.tour.assign(chains_[0].tour.rbegin(), chains_[0].tour.rend());
     }
+  }
+
+  /// Makes the first chain's tour the best that can be put together from all.
+  void recombine() {
+    if (chains_[1].cost < chains_[0].cost) {
+      std::swap(chains_[0].tour, chains_[1].tour);
+      std::swap(chains_[0].cost, chains_[1].cost);
+    }
+    if (setup_.stop.reached(0, 0)) return;
+    Chain& best = chains_[0];
+    if (pool_.size() >= kPool) pool_.erase(pool_.begin());
+    pool_.push_back(chains_[1].tour);
+    problem_.with_costs([&](const auto& costs) {
+      Recombiner recombiner(problem_, costs);
+      for (Cost gain = -1; gain < 0;) {
+        gain = 0;
+        for (const std::vector<int>& other : pool_) gain += recombiner.improve(best.tour, other);
+        best.cost += gain;
+      }
+    });
+    report_(0, best.tour, 0);
+    pool_.push_back(best.tour);
   }
 
   Rng chain_rng(int round, int chain) const {
@@ -138,6 +166,7 @@ class Rounds {
   std::optional<PointTree> tree_;
   std::vector<Candidates> candidates_;
   std::array<Chain, kChains> chains_;
+  std::vector<std::vector<int>> pool_;
 };
 
 }  // namespace

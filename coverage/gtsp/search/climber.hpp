@@ -46,13 +46,8 @@ class Climber {
     for (int c = 0; c < problem_.cluster_count(); ++c) wake(c);
   }
 
-  /// Swaps two neighbouring stretches of the tour: the double bridge [MARTIN-OTTO-FELTEN], local because they
-  /// are short.
-  void kick(int first, int length_a, int length_b) {
-    const int m = tour_.size();
-    const auto shifted = [&](int p, int by) { return (p + by) % m; };
-    const int middle = shifted(first, length_a - 1);
-    const int last = shifted(middle, length_b);
+  /// The stretches first … middle and middle+1 … last (cyclic) change places.
+  void swap(int first, int middle, int last) {
     const int o = tour_.vertex(tour_.previous(first));
     const int a = tour_.vertex(first);
     const int b = tour_.vertex(middle);

@@ -68,7 +68,11 @@ class Problem {
  private:
   static std::size_t at(int i) { return static_cast<std::size_t>(i); }
   void number_vertices(const Instance& instance, const detail::Pruning& pruning);
-  void fill_matrix(const Instance& instance, const detail::Anchor& anchor);
+  void fill_from_points(const Instance& instance);
+  /// False when an entry is no whole number of 30 bits.
+  bool fill_from_matrix(const Instance& instance);
+  void fill_from_arcs(const Instance& instance, const detail::Anchor& anchor);
+  void finish_matrix();
 
   std::vector<int> first_;
   std::vector<int> cluster_of_;
