@@ -15,21 +15,26 @@ Vec3 point(const LanePoint& p, int lane) { return {p.x[lane], p.y[lane], p.z[lan
 
 }  // namespace
 
+detail::GroundView detail::ground_view(const Terrain& terrain) {
+  const TerrainGrid& grid = *terrain.grid();
+  const Terrain::Blocks blocks = terrain.blocks();
+  return {.elevation_m = grid.elevation_m.data(),
+          .rows = grid.rows,
+          .cols = grid.cols,
+          .origin_x_m = grid.origin_m.x(),
+          .origin_y_m = grid.origin_m.y(),
+          .per_metre = 1.0 / grid.cell_size_m,
+          .block_max_m = blocks.max_m,
+          .block_min_m = blocks.min_m,
+          .block_rows = blocks.rows,
+          .block_cols = blocks.cols,
+          .block_cells = blocks.cells};
+}
+
 BatchField::BatchField(const ObstacleField& field) : field_(&field) {
   for (std::size_t i = field.standing(); i < field.size(); ++i) timed_.push_back(i);
-  if (const TerrainGrid* grid = field.world().terrain().grid()) {
-    const Terrain::Blocks blocks = field.world().terrain().blocks();
-    ground_ = detail::GroundView{.elevation_m = grid->elevation_m.data(),
-                                 .rows = grid->rows,
-                                 .cols = grid->cols,
-                                 .origin_x_m = grid->origin_m.x(),
-                                 .origin_y_m = grid->origin_m.y(),
-                                 .per_metre = 1.0 / grid->cell_size_m,
-                                 .block_max_m = blocks.max_m,
-                                 .block_rows = blocks.rows,
-                                 .block_cols = blocks.cols,
-                                 .block_cells = blocks.cells};
-  }
+  const Terrain& terrain = field.world().terrain();
+  if (!terrain.is_flat()) ground_ = detail::ground_view(terrain);
 }
 
 void BatchField::add_length(const LanePoint& a, const LanePoint& b, Lanes& sum_m) {
@@ -65,8 +70,12 @@ void BatchField::add_terrain_violation(const LanePoint& a, const LanePoint& b, L
 
 void BatchField::add_length_below_ground(const LanePoint& a, const LanePoint& b, Lanes& sum_m) const {
   const Terrain& terrain = field_->world().terrain();
-  for (int lane = 0; lane < kLanes; ++lane)
-    sum_m[lane] += terrain.length_below(point(a, lane), point(b, lane));
+  Lanes length_m;
+  const unsigned found = ground_ ? kernel().length_below(*ground_, a, b, length_m) : 0U;
+  for (int lane = 0; lane < kLanes; ++lane) {
+    sum_m[lane] +=
+        (found >> lane & 1U) != 0 ? length_m[lane] : terrain.length_below(point(a, lane), point(b, lane));
+  }
 }
 
 }  // namespace swallowtail::planner

@@ -62,10 +62,11 @@ class Terrain {
 
   bool is_flat() const { return grid_ == nullptr; }
   double flat_elevation_m() const { return flat_elevation_m_; }
-  /// Greatest sample of each block of cells × cells raster cells, borders included, row by row; for kernels
-  /// that walk the raster themselves. Lives as long as this or any copy; all 0 for a plane.
+  /// Greatest and least sample of each block of cells × cells raster cells, borders included, row by row; for
+  /// kernels that walk the raster themselves. Lives as long as this or any copy; all 0 for a plane.
   struct Blocks {
     const float* max_m = nullptr;
+    const float* min_m = nullptr;
     int rows = 0;
     int cols = 0;
     int cells = 0;

@@ -43,12 +43,12 @@ namespace {
 std::span<const BatchKernel> batch_kernels() {
   static constexpr BatchKernel kKernels[] = {
       {"plain", plain::add_violation, plain::distances, plain::axis_distance, plain::least_height,
-       plain::add_length},
+       plain::length_below, plain::add_length},
 #ifdef SWALLOWTAIL_WIDE_KERNELS
       {"avx2", avx2::add_violation, avx2::distances, avx2::axis_distance, avx2::least_height,
-       avx2::add_length},
+       avx2::length_below, avx2::add_length},
       {"avx512f", avx512::add_violation, avx512::distances, avx512::axis_distance, avx512::least_height,
-       avx512::add_length},
+       avx512::length_below, avx512::add_length},
 #endif
   };
   static const std::size_t kUsable = [] {

@@ -16,6 +16,9 @@ struct SolidList {
   const double* supports;
 };
 
+/// Of a terrain that is no plane, and lives longer.
+GroundView ground_view(const Terrain& terrain);
+
 /// The loops of BatchField, compiled for one kind of processor.
 struct BatchKernel {
   const char* name;
@@ -26,6 +29,8 @@ struct BatchKernel {
   /// was found: not those that leave the raster or cross very many blocks.
   unsigned (*least_height)(const GroundView&, const LanePoint&, const LanePoint&, double cap_m,
                            Lanes& least_m);
+  /// The same for the length of each hop that lies at or below the raster.
+  unsigned (*length_below)(const GroundView&, const LanePoint&, const LanePoint&, Lanes& length_m);
   void (*add_length)(const LanePoint&, const LanePoint&, Lanes& sum_m);
 };
 

@@ -8,6 +8,7 @@ struct GroundView {
   int rows, cols;
   double origin_x_m, origin_y_m, per_metre;
   const float* block_max_m;
+  const float* block_min_m;
   int block_rows, block_cols, block_cells;
 };
 

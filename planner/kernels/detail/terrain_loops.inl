@@ -138,86 +138,154 @@ inline Real least_of(const LanePiece& piece) {
   return select(dips, vertex, smallest(piece.h_in, piece.h_out));
 }
 
+/// Share of the way through the cell that lies at or below the ground, as RasterPyramid::Piece.
+inline Real share_below(const LanePiece& piece) {
+  const Real zero = broadcast(0.0);
+  const Real one = broadcast(1.0);
+  const auto clipped = [&](const Real& s) { return smallest(largest(s, zero), one); };
+  const Real slope = piece.h_out - piece.h_in - piece.bend;
+  const Mask level = slope == zero;
+  const Real crossing = clipped(-piece.h_in / select(level, one, slope));
+  const Real linear = select(level, select(piece.h_in <= zero, one, zero),
+                             select(slope > zero, crossing, one - crossing));
+  const Real discriminant = slope * slope - broadcast(4.0) * piece.h_in * piece.bend;
+  const Mask cuts = discriminant > zero;
+  const Real half = root(select(cuts, discriminant, one));
+  const Real q = broadcast(-0.5) * (slope + select(slope < zero, -half, half));
+  const Mask straight = piece.bend == zero;
+  const Real far = q / select(straight, one, piece.bend);
+  const Real near = piece.h_in / select(cuts, q, one);
+  const Real between = clipped(largest(far, near)) - clipped(smallest(far, near));
+  const Mask sags = piece.bend > zero;
+  const Real curved =
+      select(cuts, select(sags, between, one - between), select(sags, zero, one));
+  return select(straight, linear, curved);
+}
+
 /// The blocks that hops cross, step by step.
 struct LaneCrossings {
   static constexpr int kMost = 128;
   Real t_out[kMost];
-  Real bound[kMost];  ///< no height above ground is less there; kNever: looked at, or not crossed
+  /// What a block promises: one below the threshold of next_open is still to be looked at. kNever: it has
+  /// been, or is not crossed.
+  Real bound[kMost];
   int count = 0;
-  Real least_bound;
-  Real least_step;  ///< the first of the least bound
 
-  /// The next step from `from` on that may still hold less than `best`; count if there is none.
-  int next_open(int lane, int from, double best) const {
-    while (from < count && !(bound[from][lane] < best)) ++from;
+  /// The next step from `from` on that promises less than `threshold`; count if there is none.
+  int next_open(int lane, int from, double threshold) const {
+    while (from < count && !(bound[from][lane] < threshold)) ++from;
     return from;
   }
 };
 
-/// Fills in the crossings of the smallest blocks; the lanes that were followed to their end.
-inline Mask cross_blocks(const GroundView& ground, const LaneWay& way, const Mask& lanes,
-                         LaneCrossings& crossings) {
+/// Fills in the crossings of the smallest blocks, promise(index, z_in, z_out, span, active) each; the lanes
+/// that were followed to their end.
+template <class Promise>
+inline Mask cross_blocks(const GroundView& ground, const LaneWay& way, LaneCrossings& crossings,
+                         const Promise& promise) {
   const Real one = broadcast(1.0);
   const int counts[2] = {ground.block_cols, ground.block_rows};
+  const Mask lanes = over_raster(ground, way);
   LaneMarch march(way, ground.block_cells, counts, broadcast(0.0), one, lanes);
   const Mask followed = lanes & (march.steps() < broadcast(LaneCrossings::kMost));
   march.active = followed;
   Real z_in = way.z;
-  crossings.least_bound = broadcast(LaneMarch::kNever);
-  crossings.least_step = broadcast(0.0);
   for (; any(march.active); ++crossings.count) {
     const Real t_out = march.exit(one);
     const Real z_out = way.height(t_out);
-    const Real most = gather(ground.block_max_m, march.index(ground.block_cols));
     crossings.t_out[crossings.count] = t_out;
-    const Real bound = select(march.active, smallest(z_in, z_out) - most, broadcast(LaneMarch::kNever));
-    crossings.bound[crossings.count] = bound;
-    crossings.least_step =
-        select(bound < crossings.least_bound, broadcast(crossings.count), crossings.least_step);
-    crossings.least_bound = smallest(bound, crossings.least_bound);
+    crossings.bound[crossings.count] =
+        select(march.active,
+               promise(march.index(ground.block_cols), smallest(z_in, z_out), largest(z_in, z_out),
+                       t_out - march.t, march.active),
+               broadcast(LaneMarch::kNever));
     z_in = z_out;
     march.advance(t_out);
   }
   return followed;
 }
 
-/// The lesser of cap_m and the least height above ground of each hop; the lanes for which it was found.
+/// Walks the cells of one block in each lane, steps[lane] (none where that is count), and marks it as looked
+/// at. False if there was none.
+template <class Take>
+inline bool look_at(const GroundView& ground, const LaneWay& way, LaneCrossings& crossings,
+                    const int (&steps)[kLanes], const Take& take) {
+  Real t0 = broadcast(0.0);
+  Real t1 = broadcast(0.0);
+  Mask open{};
+  for (int lane = 0; lane < kLanes; ++lane) {
+    const int k = steps[lane];
+    if (k == crossings.count) continue;
+    if (k > 0) t0[lane] = crossings.t_out[k - 1][lane];
+    t1[lane] = crossings.t_out[k][lane];
+    crossings.bound[k][lane] = LaneMarch::kNever;
+    open[lane] = -1;
+  }
+  if (!any(open)) return false;
+  walk_cells(ground, way, t0, t1, open, take);
+  return true;
+}
+
+inline unsigned bits_of(const Mask& lanes) {
+  unsigned bits = 0;
+  for (int lane = 0; lane < kLanes; ++lane) bits |= lanes[lane] != 0 ? 1U << lane : 0U;
+  return bits;
+}
+
 unsigned least_height(const GroundView& ground, const LanePoint& from, const LanePoint& to, double cap_m,
                       Lanes& least_m) {
   const LaneWay way = way_of(ground, from, to);
   LaneCrossings crossings;
-  const Mask followed = cross_blocks(ground, way, over_raster(ground, way), crossings);
-  Real best = broadcast(cap_m);
+  Real least_bound = broadcast(LaneMarch::kNever);
+  Real least_step = broadcast(0.0);
+  const Mask followed = cross_blocks(
+      ground, way, crossings,
+      [&](const Real& index, const Real& z_low, const Real&, const Real&, const Mask& active) {
+        const Real bound = z_low - gather(ground.block_max_m, index);
+        const Mask less = active & (bound < least_bound);
+        least_step = select(less, broadcast(crossings.count), least_step);
+        least_bound = select(less, bound, least_bound);
+        return bound;
+      });
   // The most promising block of each lane first: what it shows rules out most others.
-  int step[kLanes];
-  for (int lane = 0; lane < kLanes; ++lane) {
-    const bool is_open = crossings.count > 0 && crossings.least_bound[lane] < cap_m;
-    step[lane] = is_open ? static_cast<int>(crossings.least_step[lane]) : crossings.count;
-  }
+  int steps[kLanes];
+  for (int lane = 0; lane < kLanes; ++lane)
+    steps[lane] = least_bound[lane] < cap_m ? static_cast<int>(least_step[lane]) : crossings.count;
+  Real best = broadcast(cap_m);
   int next[kLanes] = {};
-  for (;;) {
-    Real t0 = broadcast(0.0);
-    Real t1 = broadcast(0.0);
-    Mask open{};
+  while (look_at(ground, way, crossings, steps, [&](const LanePiece& piece, const Mask& active) {
+    best = select(active, smallest(best, least_of(piece)), best);
+  })) {
     for (int lane = 0; lane < kLanes; ++lane) {
-      const int k = step[lane];
-      if (k == crossings.count) continue;
-      if (k > 0) t0[lane] = crossings.t_out[k - 1][lane];
-      t1[lane] = crossings.t_out[k][lane];
-      crossings.bound[k][lane] = LaneMarch::kNever;
-      open[lane] = -1;
-    }
-    if (!any(open)) break;
-    walk_cells(ground, way, t0, t1, open, [&](const LanePiece& piece, const Mask& active) {
-      best = select(active, smallest(best, least_of(piece)), best);
-    });
-    for (int lane = 0; lane < kLanes; ++lane) {
-      if (step[lane] == crossings.count) continue;
-      step[lane] = next[lane] = crossings.next_open(lane, next[lane], best[lane]);
+      if (steps[lane] == crossings.count) continue;
+      steps[lane] = next[lane] = crossings.next_open(lane, next[lane], best[lane]);
     }
   }
   store(best, least_m.data());
-  unsigned found = 0;
-  for (int lane = 0; lane < kLanes; ++lane) found |= followed[lane] != 0 ? 1U << lane : 0U;
-  return found;
+  return bits_of(followed);
+}
+
+unsigned length_below(const GroundView& ground, const LanePoint& from, const LanePoint& to,
+                      Lanes& length_m) {
+  const Real zero = broadcast(0.0);
+  const LaneWay way = way_of(ground, from, to);
+  LaneCrossings crossings;
+  Real share = zero;
+  const Mask followed = cross_blocks(
+      ground, way, crossings,
+      [&](const Real& index, const Real& z_low, const Real& z_high, const Real& span, const Mask& active) {
+        const Mask above = z_low > gather(ground.block_max_m, index);
+        const Mask below = z_high < gather(ground.block_min_m, index);
+        share += select(active & below, span, zero);
+        return select(above | below, broadcast(LaneMarch::kNever), broadcast(-1.0));
+      });
+  int steps[kLanes];
+  for (int lane = 0; lane < kLanes; ++lane) steps[lane] = crossings.next_open(lane, 0, 0.0);
+  while (look_at(ground, way, crossings, steps, [&](const LanePiece& piece, const Mask& active) {
+    share += select(active, piece.span * share_below(piece), zero);
+  })) {
+    for (int lane = 0; lane < kLanes; ++lane) steps[lane] = crossings.next_open(lane, steps[lane], 0.0);
+  }
+  store(share * hop_of(from, to).length, length_m.data());
+  return bits_of(followed);
 }

@@ -35,7 +35,9 @@ class RasterPyramid {
   /// Over all cells that the closed rectangle touches.
   double max_slope_in(const Vec2& lo, const Vec2& hi) const;
   double max_slope() const { return static_cast<double>(slope_[count_ - 1]); }
-  Terrain::Blocks blocks() const { return {max_.get(), levels_.front().rows, levels_.front().cols, kSide}; }
+  Terrain::Blocks blocks() const {
+    return {max_.get(), min_.get(), levels_.front().rows, levels_.front().cols, kSide};
+  }
 
  private:
   struct Block {

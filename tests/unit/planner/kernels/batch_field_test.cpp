@@ -81,7 +81,7 @@ TEST(BatchField, GivesWhatTheFieldGivesLaneByLane) {
       EXPECT_NEAR(violation_m[lane], expected_m, 1e-8);
       EXPECT_NEAR(length_m[lane], (b - a).norm(), 1e-12);
       EXPECT_NEAR(terrain_m[lane], field.terrain_violation_m(a, b), 1e-10);
-      EXPECT_EQ(below_m[lane], world->terrain().length_below(a, b));
+      EXPECT_NEAR(below_m[lane], world->terrain().length_below(a, b), 1e-9);
     }
   }
 }
@@ -128,6 +128,55 @@ TEST(BatchField, EveryWidthOfRegistersGivesTheSameBits) {
       }
     }
   }
+}
+
+struct GroundAnswers {
+  Lanes least_m = Lanes::Zero();
+  Lanes below_m = Lanes::Zero();
+  unsigned least_lanes = 0;
+  unsigned below_lanes = 0;
+};
+
+GroundAnswers ask(const detail::BatchKernel& kernel, const detail::GroundView& ground, const Hops& hops,
+                  double cap_m) {
+  GroundAnswers answers;
+  answers.least_lanes = kernel.least_height(ground, hops.a, hops.b, cap_m, answers.least_m);
+  answers.below_lanes = kernel.length_below(ground, hops.a, hops.b, answers.below_m);
+  return answers;
+}
+
+TEST(BatchField, EveryWidthWalksRastersAsTheTerrainDoes) {
+  Rng rng(7);
+  unsigned walked = 0;
+  for (int trial = 0; trial < 400; ++trial) {
+    const int rows = 2 + static_cast<int>(rng.below(trial % 20 == 0 ? 900 : 60));
+    const int cols = 2 + static_cast<int>(rng.below(60));
+    const double cell_m = rng.uniform(0.2, 3.0);
+    const Terrain terrain = test::random_terrain(rng, Vec2(-20.0, -10.0), rows, cols, cell_m, 25.0);
+    const detail::GroundView ground = detail::ground_view(terrain);
+    const Vec3 reach((cols - 1) * cell_m, (rows - 1) * cell_m, 30.0);
+    const Hops hops = random_hops(rng, Vec3(-20.1, -10.1, -2.0), Vec3(-20.0, -10.0, 0.0) + reach);
+    const double cap_m = rng.uniform(-5.0, 20.0);
+    const GroundAnswers expected = ask(detail::batch_kernels().front(), ground, hops, cap_m);
+    for (const detail::BatchKernel& kernel : detail::batch_kernels()) {
+      const GroundAnswers answers = ask(kernel, ground, hops, cap_m);
+      EXPECT_EQ(answers.least_lanes, expected.least_lanes) << kernel.name;
+      EXPECT_EQ(answers.below_lanes, expected.below_lanes) << kernel.name;
+      for (int lane = 0; lane < kLanes; ++lane) {
+        const bool is_walked = (expected.least_lanes >> lane & 1U) != 0;
+        EXPECT_EQ(is_walked, (expected.below_lanes >> lane & 1U) != 0);
+        if (!is_walked) continue;
+        ++walked;
+        EXPECT_EQ(answers.least_m[lane], expected.least_m[lane]) << kernel.name;
+        EXPECT_EQ(answers.below_m[lane], expected.below_m[lane]) << kernel.name;
+        const Vec3 a = hops.from(lane);
+        const Vec3 b = hops.to(lane);
+        EXPECT_NEAR(answers.least_m[lane], terrain.min_height_above(a, b, cap_m), 1e-9);
+        EXPECT_NEAR(answers.below_m[lane], terrain.length_below(a, b), 1e-8 * (1.0 + (b - a).norm()));
+      }
+    }
+  }
+  EXPECT_GT(walked, 3000U) << "most hops must be walked by the kernels themselves";
 }
 
 TEST(BatchField, ALaneDoesNotDependOnItsNeighbours) {
