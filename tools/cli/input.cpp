@@ -5,6 +5,7 @@
 #include <fmt/core.h>
 
 #include "planner/scenario/load.hpp"
+#include "planner/scenario/public_scene.hpp"
 #include "planner/scenario/read.hpp"
 
 namespace swallowtail::cli {
@@ -17,6 +18,12 @@ std::optional<planner::Scenario> read_scenario_or_tell(const std::string& path) 
 }
 
 std::optional<Scene> read_scene_or_tell(const std::string& path) {
+  if (path.ends_with(".txt")) {
+    auto scene = planner::read_public_scene(path);
+    if (scene) return Scene{std::move(scene->scenario), std::move(scene->world)};
+    fmt::print(stderr, "{}\n", scene.error().message);
+    return std::nullopt;
+  }
   auto scenario = read_scenario_or_tell(path);
   if (!scenario) return std::nullopt;
   auto world = planner::load_world(*scenario);

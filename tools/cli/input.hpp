@@ -17,7 +17,7 @@ struct Scene {
 };
 
 /// Reads and builds; prints everything that is wrong to standard error and gives nothing then. Bad input is
-/// the only way to fail.
+/// the only way to fail. A scene in `.txt` is one of a public code (scenario/public_scene.hpp).
 std::optional<planner::Scenario> read_scenario_or_tell(const std::string& path);
 std::optional<Scene> read_scene_or_tell(const std::string& path);
 

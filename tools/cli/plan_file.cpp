@@ -72,6 +72,20 @@ Json history_json(const std::vector<planner::PlanProgress>& history) {
   return out;
 }
 
+/// Weighted terms by name, which sum up to the total, and each with its weight and value.
+Json cost_json(const planner::PricedReport& report, const planner::PricedRequest& request) {
+  Json cost = {{"total", report.terms.terms.empty() ? report.plan.cost : report.terms.total}};
+  Json terms = Json::array();
+  for (const planner::CostTerm& term : report.terms.terms) {
+    cost[term.name] = term.weight * term.value;
+    terms.push_back({{"name", term.name}, {"weight", term.weight}, {"value", term.value}});
+  }
+  if (cost.contains("violation")) cost["penalty"] = cost["violation"];
+  cost["preset"] = request.cost.preset;
+  cost["terms"] = std::move(terms);
+  return cost;
+}
+
 }  // namespace
 
 const char* name(Phase phase) {
@@ -92,8 +106,10 @@ Json to_json(const planner::Violation& violation) {
           {"detail", violation.detail}};
 }
 
-Json to_json(const planner::PlanReport& report, const std::string& scenario,
-             const planner::PlanRequest& request) {
+Json to_json(const planner::PricedReport& priced, const std::string& scenario,
+             const planner::PricedRequest& asked) {
+  const planner::PlanReport& report = priced.plan;
+  const planner::PlanRequest& request = asked.plan;
   Json places = Json::array();
   Json waypoints = Json::array();
   for (const auto& waypoint : report.path) {
@@ -104,8 +120,6 @@ Json to_json(const planner::PlanReport& report, const std::string& scenario,
                          {"phase", name(waypoint.phase)},
                          {"leg_index", waypoint.leg_index}});
   }
-  const double straight_m = (request.goal_m - request.start_m).norm();
-  const double length_term = straight_m > 0.0 ? report.length_m / straight_m : 1.0;
   Json out;
   out["scenario"] = scenario;
   out["status"] = planner::name(report.status);
@@ -117,7 +131,11 @@ Json to_json(const planner::PlanReport& report, const std::string& scenario,
   out["length_m"] = report.length_m;
   out["duration_s"] = report.duration_s;
   out["clearance_min_m"] = report.certificate.clearance_min_m;
-  out["cost"] = {{"total", report.cost}, {"length", length_term}, {"penalty", report.cost - length_term}};
+  out["cost"] = cost_json(priced, asked);
+  if (!priced.attempt.empty()) {
+    out["attempt_m"] = Json::array();
+    for (const Vec3& point : priced.attempt) out["attempt_m"].push_back(to_json(point));
+  }
   out["evaluations"] = report.evaluations;
   out["wall_ms"] = report.wall_ms;
   out["first_certified_ms"] = report.first_certified_ms;

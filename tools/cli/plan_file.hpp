@@ -6,16 +6,17 @@
 
 #include "planner/path/certifier.hpp"
 #include "planner/path/path.hpp"
-#include "planner/replan/point_to_point.hpp"
+#include "planner/replan/preset_plan.hpp"
 #include "planner/world/raster_file.hpp"
 
 namespace swallowtail::cli {
 
 const char* name(planner::Phase phase);
 
-/// The document of `plan`: status, figures, waypoints with times and phases.
-nlohmann::ordered_json to_json(const planner::PlanReport& report, const std::string& scenario,
-                               const planner::PlanRequest& request);
+/// The document of `plan`: status, figures, waypoints with times and phases; the cost by its preset's terms,
+/// of the path or, where none is certified, of `attempt_m`.
+nlohmann::ordered_json to_json(const planner::PricedReport& report, const std::string& scenario,
+                               const planner::PricedRequest& request);
 nlohmann::ordered_json to_json(const planner::Violation& violation);
 nlohmann::ordered_json to_json(const Vec3& point);
 

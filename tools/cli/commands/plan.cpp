@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <thread>
@@ -9,7 +10,7 @@
 #include <fmt/core.h>
 
 #include "planner/base/clock.hpp"
-#include "planner/replan/point_to_point.hpp"
+#include "planner/replan/preset_plan.hpp"
 #include "tools/cli/commands.hpp"
 #include "tools/cli/input.hpp"
 #include "tools/cli/output.hpp"
@@ -24,20 +25,45 @@ struct PlanOptions {
   Common common;
   std::string scenario;
   std::string algorithm;
+  std::string cost;
   double budget_ms = 0.0;
   std::uint64_t evaluations = 0;
   std::uint64_t iterations = 0;
   int runs = 1;
 };
 
-planner::PlanRequest request_of(const PlanOptions& options, const planner::Scenario& scenario, int run) {
-  planner::PlanRequest request;
-  request.start_m = *scenario.start_m;
-  request.goal_m = *scenario.goal_m;
-  request.limits = scenario.vehicle.limits;
-  request.params.algorithm = options.algorithm.empty() ? scenario.planning.algorithm : options.algorithm;
-  request.params.waypoints = scenario.planning.waypoints;
-  request.seed = options.common.seed + static_cast<std::uint64_t>(run);
+planner::CostSpec cost_of(const PlanOptions& options, const planner::Scenario& scenario) {
+  const planner::PlanningSpec& planning = scenario.planning;
+  planner::CostSpec cost;
+  cost.preset = planning.cost;
+  cost.weights = planning.weights;
+  if (!options.cost.empty()) {
+    // Weights belong to the preset that the scenario names.
+    if (const auto named = planner::preset_by_name(options.cost),
+        own = planner::preset_by_name(planning.cost);
+        !named || !own || *named != *own) {
+      cost.weights.clear();
+    }
+    cost.preset = options.cost;
+  }
+  if (planning.altitude_m) cost.altitude = {planning.altitude_m->x(), planning.altitude_m->y()};
+  const planner::EnergyRates& rates = scenario.vehicle.energy;
+  const double to_rad = scenario.wind.direction_rad;
+  cost.energy = {rates.level_per_s, rates.climb_per_s, rates.descent_per_s, rates.hover_per_s,
+                 scenario.wind.speed_mps * Vec2(std::sin(to_rad), std::cos(to_rad))};
+  return cost;
+}
+
+planner::PricedRequest request_of(const PlanOptions& options, const planner::Scenario& scenario, int run) {
+  planner::PricedRequest request;
+  planner::PlanRequest& plan = request.plan;
+  plan.start_m = *scenario.start_m;
+  plan.goal_m = *scenario.goal_m;
+  plan.limits = scenario.vehicle.limits;
+  plan.params.algorithm = options.algorithm.empty() ? scenario.planning.algorithm : options.algorithm;
+  plan.params.waypoints = scenario.planning.waypoints;
+  plan.seed = options.common.seed + static_cast<std::uint64_t>(run);
+  request.cost = cost_of(options, scenario);
   return request;
 }
 
@@ -52,14 +78,14 @@ StopCondition stop_of(const PlanOptions& options, const Clock& clock) {
 }
 
 struct Run {
-  planner::PlanRequest request;
-  planner::PlanReport report;
+  planner::PricedRequest request;
+  planner::PricedReport report;
 };
 
 /// All runs, over as many threads as asked for; each depends on its seed alone. Ends early when interrupted.
 Result<std::vector<Run>> run_all(const PlanOptions& options, const Scene& scene, Progress& progress) {
   const SteadyClock clock;
-  std::vector<std::optional<Result<planner::PlanReport>>> reports(static_cast<std::size_t>(options.runs));
+  std::vector<std::optional<Result<planner::PricedReport>>> reports(static_cast<std::size_t>(options.runs));
   std::atomic<int> next{0};
   const auto work = [&] {
     for (int run = next++; run < options.runs && !interrupted(); run = next++) {
@@ -67,7 +93,7 @@ Result<std::vector<Run>> run_all(const PlanOptions& options, const Scene& scene,
         progress.update(fmt::format("run {}: {:.3f} m after {} evaluations", run + 1, now.best_length_m,
                                     now.evaluations));
       };
-      reports[static_cast<std::size_t>(run)] = planner::plan_path(
+      reports[static_cast<std::size_t>(run)] = planner::plan_with_cost(
           scene.world, request_of(options, scene.scenario, run), stop_of(options, clock), &clock, observe);
     }
   };
@@ -87,53 +113,73 @@ Result<std::vector<Run>> run_all(const PlanOptions& options, const Scene& scene,
   return runs;
 }
 
-bool is_certified(const Run& run) { return run.report.status == planner::PlanStatus::kCertified; }
+bool is_certified(const Run& run) { return run.report.plan.status == planner::PlanStatus::kCertified; }
 
-/// The certified run of the shortest path; the first run when none is.
+/// What runs are compared by: the length under the default cost, else the cost.
+double figure_of(const Run& run) {
+  const bool by_length = run.request.cost.preset == "default" && run.request.cost.weights.empty();
+  return by_length ? run.report.plan.length_m : run.report.plan.cost;
+}
+
+/// The best certified run; the first run when none is.
 const Run& best_of(const std::vector<Run>& runs) {
   return *std::ranges::min_element(runs, [](const Run& a, const Run& b) {
     if (is_certified(a) != is_certified(b)) return is_certified(a);
-    return is_certified(a) && a.report.length_m < b.report.length_m;
+    return is_certified(a) && figure_of(a) < figure_of(b);
   });
 }
 
 nlohmann::ordered_json statistics_json(const std::vector<Run>& runs) {
-  std::vector<double> length_m, wall_ms, first_ms;
+  std::vector<double> length_m, cost, wall_ms, first_ms;
   for (const Run& run : runs) {
-    wall_ms.push_back(run.report.wall_ms);
+    wall_ms.push_back(run.report.plan.wall_ms);
     if (!is_certified(run)) continue;
-    length_m.push_back(run.report.length_m);
-    first_ms.push_back(run.report.first_certified_ms);
+    length_m.push_back(run.report.plan.length_m);
+    cost.push_back(run.report.plan.cost);
+    first_ms.push_back(run.report.plan.first_certified_ms);
   }
   return {{"runs", runs.size()},
           {"certified", length_m.size()},
           {"length_m", spread_json(length_m)},
+          {"cost", spread_json(cost)},
           {"wall_ms", spread_json(wall_ms)},
           {"first_certified_ms", spread_json(first_ms)}};
 }
 
+std::string cost_line(const Run& run) {
+  const planner::CostTerms& cost = run.report.terms;
+  if (cost.terms.empty()) return {};
+  std::string out = fmt::format("  cost             {} {:.6f} =", run.request.cost.preset, cost.total);
+  for (std::size_t i = 0; i < cost.terms.size(); ++i) {
+    const planner::CostTerm& term = cost.terms[i];
+    out += fmt::format("{} {:g} · {} {:.6g}", i > 0 ? " +" : "", term.weight, term.name, term.value);
+  }
+  return out + (is_certified(run) ? "\n" : ", not certified\n");
+}
+
 std::string table_of(const planner::Scenario& scenario, const std::vector<Run>& runs) {
   const Run& best = best_of(runs);
-  const planner::PlanReport& report = best.report;
+  const planner::PlanReport& report = best.report.plan;
   std::string out = fmt::format("{}: {}\n  algorithm        {}, seed {}\n  reason           {}\n",
-                                scenario.name, planner::name(report.status), best.request.params.algorithm,
-                                best.request.seed, report.reason);
+                                scenario.name, planner::name(report.status),
+                                best.request.plan.params.algorithm, best.request.plan.seed, report.reason);
   if (is_certified(best)) {
-    out += fmt::format(
-        "  length           {:.3f} m in {:.1f} s\n  least clearance  {:.3f} m\n  cost             {:.6f}\n",
-        report.length_m, report.duration_s, report.certificate.clearance_min_m, report.cost);
+    out += fmt::format("  length           {:.3f} m in {:.1f} s\n  least clearance  {:.3f} m\n",
+                       report.length_m, report.duration_s, report.certificate.clearance_min_m);
   }
+  out += cost_line(best);
   out += fmt::format("  evaluations      {} in {:.2f} ms, first certified after {:.2f} ms\n",
                      report.evaluations, report.wall_ms, report.first_certified_ms);
   if (runs.size() > 1) {
-    std::vector<double> length_m;
+    std::vector<double> figures;
     for (const Run& run : runs) {
-      if (is_certified(run)) length_m.push_back(run.report.length_m);
+      if (is_certified(run)) figures.push_back(figure_of(run));
     }
-    const Spread spread = spread_of(length_m);
-    out += fmt::format(
-        "  runs             {} of {} certified; length {:.3f} best, {:.3f} median, {:.3f} worst\n",
-        length_m.size(), runs.size(), spread.min, spread.median, spread.max);
+    const Spread spread = spread_of(figures);
+    const bool by_length = figure_of(best) == report.length_m;
+    out += fmt::format("  runs             {} of {} certified; {} {:.3f} best, {:.3f} median, {:.3f} worst\n",
+                       figures.size(), runs.size(), by_length ? "length" : "cost", spread.min, spread.median,
+                       spread.max);
   }
   if (is_certified(best)) {
     out += "\n    time s        east m       north m          up m  phase\n";
@@ -157,8 +203,8 @@ Answer answer_of(const PlanOptions& options, const planner::Scenario& scenario,
     answer.json["statistics"] = statistics_json(runs);
   }
   answer.table = table_of(scenario, runs);
-  answer.files[".csv"] = [path = best.report.path] { return path_csv(path); };
-  answer.files[".geojson"] = [path = best.report.path, origin = scenario.origin] {
+  answer.files[".csv"] = [path = best.report.plan.path] { return path_csv(path); };
+  answer.files[".geojson"] = [path = best.report.plan.path, origin = scenario.origin] {
     return path_geojson(path, origin);
   };
   return answer;
@@ -187,8 +233,12 @@ Exit run_plan(const PlanOptions& options) {
 void add_plan(CLI::App& app, Exit& exit) {
   CLI::App* command = app.add_subcommand("plan", "Plan a certified path from start_m to goal_m");
   const auto options = std::make_shared<PlanOptions>();
-  command->add_option("SCENARIO", options->scenario, "Scenario file (.yaml)")->required();
+  command->add_option("SCENARIO", options->scenario, "Scenario file (.yaml), or a public code's scene (.txt)")
+      ->required();
   command->add_option("--algorithm", options->algorithm, "Optimiser, instead of the scenario's");
+  command->add_option(
+      "--cost", options->cost,
+      "What to minimise, instead of the scenario's: default, BOA, PSO, IBABC, NMOPSO or SPSO");
   command
       ->add_option("--budget-ms", options->budget_ms,
                    "Stop after so many milliseconds with the best path so far")
@@ -204,6 +254,7 @@ void add_plan(CLI::App& app, Exit& exit) {
   add_common(*command, options->common,
              "  swallowtail plan tests/data/missions/ten_spheres.yaml\n"
              "  swallowtail plan ten_spheres.yaml --budget-ms 20 --json\n"
+             "  swallowtail plan ten_spheres.yaml --algorithm pso-seed --cost PSO --iterations 50\n"
              "  swallowtail plan ten_spheres.yaml --runs 30 --threads 2 -o plan.json\n"
              "  -o writes .json (what `check --plan` reads), .csv or .geojson");
   command->callback([options, &exit] { exit = run_plan(*options); });

@@ -9,8 +9,9 @@
 namespace swallowtail::cli {
 namespace {
 
-planner::PlanReport some_report() {
-  planner::PlanReport report;
+planner::PricedReport some_report() {
+  planner::PricedReport priced;
+  planner::PlanReport& report = priced.plan;
   report.status = planner::PlanStatus::kCertified;
   report.path = {{0.0, {1, 2, 0}, planner::Phase::kTransfer, 0},
                  {4.25, {1, 2, 10.1}, planner::Phase::kTakeOff, 0},
@@ -18,14 +19,16 @@ planner::PlanReport some_report() {
                  {11.5, {31.5, 2, 10.1}, planner::Phase::kHold, 3},
                  {16.0, {31.5, 2, 0}, planner::Phase::kLanding, 4}};
   report.length_m = 50.7;
-  return report;
+  priced.terms = {51.7, {{"length", 1.0, 50.7}, {"collision", 100.0, 0.01}}};
+  return priced;
 }
 
 TEST(PlanFile, WhatIsWrittenIsReadBack) {
-  const planner::PlanReport report = some_report();
-  planner::PlanRequest request;
-  request.goal_m = Vec3(31.5, 2, 0);
-  const auto path = parse_plan(to_json(report, "scene", request).dump(), "plan.json");
+  const planner::PricedReport priced = some_report();
+  const planner::PlanReport& report = priced.plan;
+  planner::PricedRequest request;
+  request.plan.goal_m = Vec3(31.5, 2, 0);
+  const auto path = parse_plan(to_json(priced, "scene", request).dump(), "plan.json");
   ASSERT_TRUE(path.ok()) << path.error().message;
   ASSERT_EQ(path.value().size(), report.path.size());
   for (std::size_t i = 0; i < report.path.size(); ++i) {
@@ -40,6 +43,17 @@ TEST(PlanFile, PlacesLeaveOutStops) {
   const auto json = to_json(some_report(), "scene", {});
   EXPECT_EQ(json["waypoints"].size(), 5u);
   EXPECT_EQ(json["waypoints_m"].size(), 4u);
+}
+
+TEST(PlanFile, TheCostStandsTermByTerm) {
+  planner::PricedRequest request;
+  request.cost.preset = "BOA";
+  const auto cost = to_json(some_report(), "scene", request)["cost"];
+  EXPECT_EQ(cost["preset"], "BOA");
+  EXPECT_EQ(cost["total"], 51.7);
+  EXPECT_EQ(cost["collision"], 1.0);
+  EXPECT_EQ(cost["terms"][1]["weight"], 100.0);
+  EXPECT_EQ(cost["terms"][1]["value"], 0.01);
 }
 
 TEST(PlanFile, WhatIsNoPlanIsRefusedByPlaceAndRule) {
@@ -70,7 +84,7 @@ TEST(PlanFile, WhatIsNoPlanIsRefusedByPlaceAndRule) {
 }
 
 TEST(PlanFile, GeoJsonWithoutOriginSaysThatItIsLocal) {
-  const auto json = nlohmann::json::parse(path_geojson(some_report().path, std::nullopt));
+  const auto json = nlohmann::json::parse(path_geojson(some_report().plan.path, std::nullopt));
   EXPECT_EQ(json["features"][0]["properties"]["crs"], "local metres");
   EXPECT_EQ(json["features"][0]["geometry"]["coordinates"][1], nlohmann::json({1.0, 2.0, 10.1}));
 }
@@ -92,7 +106,7 @@ TEST(Energy, EachPhaseHasItsRate) {
   const planner::EnergyRates rates{
       .level_per_s = 2, .climb_per_s = 3, .descent_per_s = 0.5, .hover_per_s = 1, .landed_per_s = 0};
   // up 4.25 s, level 5.25 s, standing 2 s, down 4.5 s
-  EXPECT_DOUBLE_EQ(energy_of(some_report().path, rates), 4.25 * 3 + 5.25 * 2 + 2 * 1 + 4.5 * 0.5);
+  EXPECT_DOUBLE_EQ(energy_of(some_report().plan.path, rates), 4.25 * 3 + 5.25 * 2 + 2 * 1 + 4.5 * 0.5);
 }
 
 }  // namespace
