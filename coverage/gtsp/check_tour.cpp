@@ -46,11 +46,26 @@ Status check_rule(std::span<const int> tour, const TourRule& rule) {
   return {};
 }
 
+Status check_precedence(const Instance& instance, std::span<const int> tour, const TourRule& rule) {
+  const auto place_of = [&](int cluster) {
+    const auto members = instance.cluster(cluster);
+    return std::find_if(tour.begin(), tour.end(),
+                        [&](int v) { return std::find(members.begin(), members.end(), v) != members.end(); });
+  };
+  for (const auto& [first, second] : rule.precedence) {
+    if (place_of(first) < place_of(second)) continue;
+    return infeasible("Cluster " + std::to_string(first) + " does not come before cluster " +
+                      std::to_string(second) + ", as precedence asks.");
+  }
+  return {};
+}
+
 }  // namespace
 
 Result<double> check_tour(const Instance& instance, std::span<const int> tour, const TourRule& rule) {
   if (Status s = check_visits(instance, tour); !s) return s.error();
   if (Status s = check_rule(tour, rule); !s) return s.error();
+  if (Status s = check_precedence(instance, tour, rule); !s) return s.error();
   double sum = 0.0;
   const std::size_t arcs = rule.returns_to_start && tour.size() > 1 ? tour.size() : tour.size() - 1;
   for (std::size_t i = 0; i < arcs; ++i) {

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "coverage/gtsp/instance.hpp"
@@ -15,6 +16,7 @@ struct TourRule {
   std::vector<int> prefix = {};
   std::optional<int> start = std::nullopt;
   std::optional<int> end = std::nullopt;
+  std::vector<std::pair<int, int>> precedence = {};  ///< clusters: the first before the second
 };
 
 /// Cost of the tour, summed over the instance's arcs. Shares no code with the solver, so that it can judge

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "coverage/gtsp/detail/token_reader.hpp"
+#include "planner/base/checks.hpp"
 
 namespace swallowtail::gtsp {
 namespace {
@@ -17,6 +18,11 @@ using detail::upper_case;
 constexpr std::array<std::string_view, 8> kIgnoredKeys = {
     "NAME",     "COMMENT",          "NODE_COORD_TYPE",      "DISPLAY_DATA_TYPE",
     "CAPACITY", "EDGE_DATA_FORMAT", "DISPLAY_DATA_SECTION", "FIXED_EDGES_SECTION"};
+
+constexpr double kMostCoordinate = 1e11;
+
+/// Ctrl-Z, with which files from old systems end.
+constexpr std::string_view kEndOfText = "\x1a";
 
 std::optional<Metric> metric_named(const std::string& name) {
   if (name == "EUC_2D") return Metric::kEuc2D;
@@ -55,10 +61,17 @@ class GtsplibReader {
   GtsplibReader(std::istream& in, const std::string& name) : reader_(in, name) {}
 
   Result<Instance> read() {
-    for (auto line = reader_.next_line(); line && line->key != "EOF"; line = reader_.next_line()) {
+    auto line = reader_.next_line();
+    for (; line && line->key != "EOF"; line = reader_.next_line()) {
       if (is_skipping_ && (line->key.empty() || line->key.front() < 'A')) continue;
       is_skipping_ = false;
       if (Status s = read_entry(*line); !s) return s.error();
+    }
+    if (line) {
+      if (const auto rest = reader_.next_line()) {
+        if (rest->key != "EOF" && !(rest->key.empty() && rest->value == kEndOfText))
+          return reader_.error("EOF", rest->key + " " + rest->value, "nothing may follow it");
+      }
     }
     return assembled();
   }
@@ -143,6 +156,9 @@ class GtsplibReader {
       if (!y) return y.error();
       if (is_given.size() <= v) is_given.resize(v + 1, 0);
       if (points_.size() <= v) points_.resize(v + 1);
+      if (!is_within(*x, -kMostCoordinate, kMostCoordinate) ||
+          !is_within(*y, -kMostCoordinate, kMostCoordinate))
+        return reader_.error(kKey, std::to_string(*id + 1), "coordinates must be finite, within 1e11");
       if (is_given[v] != 0) return reader_.error(kKey, std::to_string(*id + 1), "must appear once");
       is_given[v] = 1;
       points_[v] = {*x, *y};
@@ -183,22 +199,35 @@ class GtsplibReader {
         clusters_.resize(static_cast<std::size_t>(*set) + 1);
       auto& cluster = clusters_[static_cast<std::size_t>(*set)];
       if (!cluster.empty()) return reader_.error(kKey, std::to_string(*set + 1), "must appear once");
-      if (Status s = read_members(kKey, cluster); !s) return s;
+      if (Status s = read_members(kKey, *set, cluster); !s) return s;
+    }
+    set_of_.resize(static_cast<std::size_t>(dimension_), -1);
+    for (std::size_t v = 0; v < set_of_.size(); ++v) {
+      if (set_of_[v] < 0)
+        return reader_.error(kKey, "end",
+                             "vertex " + std::to_string(v + 1) + " is in no set; each must be in one");
     }
     return {};
   }
 
-  Status read_members(const std::string& key, std::vector<int>& cluster) {
+  Status read_members(const std::string& key, int set, std::vector<int>& cluster) {
     while (true) {
       const Result<int> id = reader_.next_int(key);
       if (!id) return id.error();
+      if (*id == -1 && cluster.empty())
+        return reader_.error(key, std::to_string(set + 1), "the set is empty; each must hold a vertex");
       if (*id == -1) return {};
       if (*id < 1 || *id > dimension_) {
         return reader_.error(key, std::to_string(*id),
                              "must be from 1 to " + std::to_string(dimension_) + ", or -1 to end the set");
       }
-      if (cluster.size() >= static_cast<std::size_t>(dimension_))
-        return reader_.error(key, std::to_string(*id), "a set may not have more vertices than there are");
+      if (set_of_.size() < static_cast<std::size_t>(*id)) set_of_.resize(static_cast<std::size_t>(*id), -1);
+      int& owner = set_of_[static_cast<std::size_t>(*id) - 1];
+      if (owner >= 0) {
+        return reader_.error(key, std::to_string(*id),
+                             "is also in set " + std::to_string(owner + 1) + "; it must be in exactly one");
+      }
+      owner = set;
       cluster.push_back(*id - 1);
     }
   }
@@ -251,6 +280,7 @@ class GtsplibReader {
   std::vector<Point> points_;
   std::vector<double> weights_;
   Instance::Clusters clusters_;
+  std::vector<int> set_of_;  ///< by vertex, −1 = none yet
 };
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "coverage/gtsp/detail/precedence_search.hpp"
 #include "coverage/gtsp/detail/run.hpp"
 #include "coverage/gtsp/proof/settle.hpp"
 
@@ -53,6 +54,51 @@ Status check_ends(const Options& options, const Instance& instance) {
   return {};
 }
 
+/// Clusters that can be put in order, from the first; fewer than there are when precedence is circular.
+std::size_t orderable_clusters(const Options& options, const Instance& instance) {
+  std::vector<std::vector<int>> after(static_cast<std::size_t>(instance.cluster_count()));
+  std::vector<int> waits_for(after.size(), 0);
+  for (const auto& [first, second] : options.precedence) {
+    after[static_cast<std::size_t>(first)].push_back(second);
+    ++waits_for[static_cast<std::size_t>(second)];
+  }
+  std::vector<int> ready;
+  for (std::size_t c = 0; c < after.size(); ++c) {
+    if (waits_for[c] == 0) ready.push_back(static_cast<int>(c));
+  }
+  for (std::size_t i = 0; i < ready.size(); ++i) {
+    for (const int next : after[static_cast<std::size_t>(ready[i])]) {
+      if (--waits_for[static_cast<std::size_t>(next)] == 0) ready.push_back(next);
+    }
+  }
+  return ready.size();
+}
+
+Status check_precedence(const Options& options, const Instance& instance) {
+  const int m = instance.cluster_count();
+  if (!options.precedence.empty() && m > kMaxPrecedenceClusters) {
+    return bad_input("precedence is given for " + std::to_string(m) + " clusters; it may be for at most " +
+                     std::to_string(kMaxPrecedenceClusters) + ".");
+  }
+  std::vector<int> lead = options.fixed_prefix;
+  if (lead.empty() && options.start_vertex) lead.push_back(*options.start_vertex);
+  const auto place_in_lead = [&](int c) {
+    return std::find_if(lead.begin(), lead.end(), [&](int v) { return instance.cluster_of(v) == c; });
+  };
+  for (const auto& [first, second] : options.precedence) {
+    const std::string pair = "precedence of " + std::to_string(first) + " before " + std::to_string(second);
+    if (first < 0 || first >= m || second < 0 || second >= m)
+      return bad_input(pair + " names a cluster outside 0 to " + std::to_string(m - 1) + ".");
+    const auto second_place = place_in_lead(second);
+    const bool breaks_lead = second_place != lead.end() && place_in_lead(first) >= second_place;
+    const bool is_last = options.end_vertex && instance.cluster_of(*options.end_vertex) == first;
+    if (breaks_lead || is_last) return bad_input(pair + " cannot be kept with the fixed vertices.");
+  }
+  if (orderable_clusters(options, instance) < static_cast<std::size_t>(m))
+    return bad_input("precedence goes in a circle; no order of the clusters keeps it.");
+  return {};
+}
+
 constexpr double kBoundShare = 0.1;  ///< of the time to a deadline
 
 /// Grows with the search's time, which is about n³ of steps at equal quality.
@@ -85,7 +131,8 @@ Status validate(const Options& options, const Instance& instance) {
     return bad_input("stop.deadline_s is set without stop.clock; a deadline needs a clock.");
   }
   if (Status s = check_prefix(options.fixed_prefix, instance); !s) return s;
-  return check_ends(options, instance);
+  if (Status s = check_ends(options, instance); !s) return s;
+  return check_precedence(options, instance);
 }
 
 const char* name_of(SolveStatus status) {
@@ -116,7 +163,9 @@ Solution solve(const Instance& instance, const Options& options) {
     const double now_s = options.stop.clock->now_s();
     searching.stop.deadline_s -= kBoundShare * std::max(0.0, options.stop.deadline_s - now_s);
   }
-  Solution solution = detail::Run(instance, searching, detail::effort_of(options.mode)).solve();
+  Solution solution = options.precedence.empty()
+                          ? detail::Run(instance, searching, detail::effort_of(options.mode)).solve()
+                          : detail::PrecedenceSearch(instance, searching).solve();
   proof::settle(instance, options, bound_work, solution);
   return solution;
 }

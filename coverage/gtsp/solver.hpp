@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "coverage/gtsp/instance.hpp"
@@ -22,6 +23,9 @@ enum class TourKind { kClosed, kOpen };
 
 /// Largest instance the search takes: it holds one or two matrices of n×n floats (268 MB each at the limit).
 inline constexpr int kMaxSolverVertices = 8'192;
+
+/// Largest number of clusters with Options::precedence.
+inline constexpr int kMaxPrecedenceClusters = 2'000;
 
 /// A tour that was the best so far when it was found. Tours with missing arcs are not reported.
 struct Incumbent {
@@ -48,6 +52,9 @@ struct Options {
   std::optional<int> start_vertex =
       std::nullopt;                              ///< the first of the tour; with a prefix, the prefix's first
   std::optional<int> end_vertex = std::nullopt;  ///< the last of the tour (before it returns, if closed)
+  /// Pairs of clusters: the first comes before the second, counted from the tour's first vertex. At most
+  /// kMaxPrecedenceClusters clusters then; searched by one thread.
+  std::vector<std::pair<int, int>> precedence = {};
   /// Called for each better tour; one call at a time, from any of the threads. It must not call back into the
   /// solver.
   std::function<void(const Incumbent&)> on_incumbent = {};
@@ -59,7 +66,8 @@ struct Options {
 };
 
 /// Errors (kBadInput): an id out of range, a prefix with two vertices of a cluster, start or end against
-/// prefix, too many vertices for the search, a deadline without a clock.
+/// prefix, precedence that goes in a circle or against prefix or end, too many vertices for the search, a
+/// deadline without a clock.
 Status validate(const Options& options, const Instance& instance);
 
 enum class SolveStatus {

@@ -26,6 +26,13 @@ void take(const Instance& instance, const detail::Anchor& anchor, const Options&
           const Certificate& certificate, Solution& solution) {
   const auto same = [](int v) { return v; };
   const detail::Found found = detail::found_from(instance, anchor, certificate.order, same, options.kind);
+  if (!options.precedence.empty()) {
+    // The best tour without precedence: a bound on those with.
+    solution.lower_bound = std::max(solution.lower_bound, found.cost);
+    if (!solution.tour.empty() && solution.cost <= found.cost)
+      mark_optimal(solution, "The tour costs no more than the best without precedence.");
+    return;
+  }
   if (found.cost < solution.cost) {
     solution.tour = found.tour;
     solution.cost = found.cost;

@@ -9,6 +9,7 @@
 #include "coverage/gtsp/detail/bound.hpp"
 #include "coverage/gtsp/detail/exact.hpp"
 #include "coverage/gtsp/detail/run.hpp"
+#include "coverage/gtsp/proof/certificate.hpp"
 #include "coverage/gtsp/solver.hpp"
 
 namespace swallowtail::gtsp {
@@ -27,6 +28,7 @@ struct Case {
   std::vector<int> prefix;
   std::optional<int> start;
   std::optional<int> end;
+  std::vector<std::pair<int, int>> precedence;
   std::vector<int> warm_tour;
   bool is_warm = false;
   int seed = 1;
@@ -82,7 +84,7 @@ Options options_of(const Case& c, Mode mode) {
   return options;
 }
 
-TourRule rule_of(const Case& c) { return {!c.is_open, c.prefix, c.start, c.end}; }
+TourRule rule_of(const Case& c) { return {!c.is_open, c.prefix, c.start, c.end, c.precedence}; }
 
 /// Cheapest tour by trying all orders and vertices; kNoArc when there is none.
 class BruteForce {
@@ -92,12 +94,17 @@ class BruteForce {
   }
   double solve() {
     do {
-      extend(0, 0.0);
+      if (keeps_precedence()) extend(0, 0.0);
     } while (std::next_permutation(order_.begin(), order_.end()));
     return best_;
   }
 
  private:
+  bool keeps_precedence() const {
+    const auto place = [&](int k) { return std::find(order_.begin(), order_.end(), k); };
+    return std::all_of(rule_.precedence.begin(), rule_.precedence.end(),
+                       [&](const auto& pair) { return place(pair.first) < place(pair.second); });
+  }
   void extend(std::size_t depth, double cost) {
     if (cost == kNoArc) return;
     if (depth == order_.size()) {
@@ -224,6 +231,110 @@ RC_GTEST_PROP(Gtsp, SearchIsSoundAndBoundIsValid, ()) {
     if (const auto warm = check_tour(instance, c.warm_tour, rule_of(c)); warm)
       RC_ASSERT(solution.cost <= warm.value());
   }
+}
+
+/// Priced walks and the states they leave open, without what else proves tiny instances; with the optimum
+/// known, or something above it, or nothing.
+RC_GTEST_PROP(Gtsp, CertificatesHold, ()) {
+  const Case c = draw_case();
+  const double excess = *rc::gen::element(-1.0, 0.0, 1.0, 40.0);
+  const double work = *rc::gen::element(300.0, 3e4, 3e6);
+  RC_LOG() << c << " excess " << excess << " work " << work << '\n';
+  const Instance instance = instance_of(c);
+  const double optimum = BruteForce(instance, c).solve();
+  const detail::Anchor anchor = detail::make_anchor(instance, options_of(c, Mode::kFast));
+  const auto free = std::count(anchor.fixed_cluster.begin(), anchor.fixed_cluster.end(), 0);
+  RC_PRE(free + (anchor.is_used ? 1 : 0) >= 2 && free > 0 && anchor.inner_cost != kNoArc);
+  const detail::Pruning pruning = detail::prune(instance, anchor);
+  RC_PRE(pruning.emptied_cluster < 0 && !pruning.is_anchor_dead);
+  proof::CertificateParams params;
+  params.work = work;
+  if (optimum != kNoArc && excess >= 0.0) params.upper_bound = optimum + excess - anchor.inner_cost;
+  const auto certificate = proof::certify(instance, anchor, pruning, params, {});
+  RC_CLASSIFY(certificate.kind == proof::Certificate::Kind::kOptimal, "optimal");
+  RC_CLASSIFY(certificate.kind == proof::Certificate::Kind::kProved, "proved");
+  RC_CLASSIFY(certificate.kind == proof::Certificate::Kind::kNoTour, "no tour");
+  const double folded = optimum - anchor.inner_cost;
+  switch (certificate.kind) {
+    case proof::Certificate::Kind::kNoTour:
+      RC_ASSERT(optimum == kNoArc);
+      break;
+    case proof::Certificate::Kind::kProved:
+      RC_ASSERT(is_near(params.upper_bound, folded));
+      break;
+    case proof::Certificate::Kind::kOptimal: {
+      const auto same = [](int v) { return v; };
+      const auto found = detail::found_from(instance, anchor, certificate.order, same,
+                                            c.is_open ? TourKind::kOpen : TourKind::kClosed);
+      const auto checked = check_tour(instance, found.tour, rule_of(c));
+      RC_ASSERT(checked.ok());
+      RC_ASSERT(is_near(checked.value(), optimum));
+      break;
+    }
+    case proof::Certificate::Kind::kBound:
+      RC_ASSERT(certificate.lower_bound <= folded + 1e-9 * (1.0 + std::abs(folded)));
+      break;
+  }
+}
+
+/// Pairs that a random order of the clusters keeps, with what is fixed at its ends.
+Case draw_precedence(Case c) {
+  const Instance instance = instance_of(c);
+  std::vector<int> order;
+  const auto append = [&](int k) {
+    if (std::find(order.begin(), order.end(), k) == order.end()) order.push_back(k);
+  };
+  for (const int v : c.prefix) append(instance.cluster_of(v));
+  if (c.start) append(instance.cluster_of(*c.start));
+  const int last = c.end ? instance.cluster_of(*c.end) : -1;
+  const int shift = *rc::gen::inRange(0, instance.cluster_count());
+  for (int k = 0; k < instance.cluster_count(); ++k) {
+    const int cluster = (k + shift) % instance.cluster_count();
+    if (cluster != last) append(cluster);
+  }
+  if (last >= 0) append(last);
+  const auto count = static_cast<int>(order.size());
+  for (int i = 0; count > 1 && i < *rc::gen::inRange(1, 4); ++i) {
+    const int a = *rc::gen::inRange(0, count - 1);
+    const int b = *rc::gen::inRange(a + 1, count);
+    c.precedence.emplace_back(order[static_cast<std::size_t>(a)], order[static_cast<std::size_t>(b)]);
+  }
+  return c;
+}
+
+RC_GTEST_PROP(Gtsp, KeepsPrecedence, ()) {
+  const Case c = draw_precedence(draw_case());
+  RC_LOG() << c << '\n';
+  const Instance instance = instance_of(c);
+  const double optimum = BruteForce(instance, c).solve();
+  Options options = options_of(c, Mode::kFast);
+  options.precedence = c.precedence;
+  RC_ASSERT(validate(options, instance).ok());
+  const Solution solution = solve(instance, options);
+  RC_ASSERT(solution.status != SolveStatus::kInfeasible || optimum == kNoArc);
+  RC_ASSERT(solution.status == SolveStatus::kOptimal || optimum == kNoArc);
+  if (!solution.tour.empty()) {
+    const auto checked = check_tour(instance, solution.tour, rule_of(c));
+    RC_ASSERT(checked.ok());
+    RC_ASSERT(is_near(checked.value(), optimum));
+  }
+}
+
+/// The same answer from one thread and from two, to the bit.
+RC_GTEST_PROP(Gtsp, ThreadsDoNotChangeTheAnswer, ()) {
+  const Case c = draw_case();
+  RC_LOG() << c << '\n';
+  const Instance instance = instance_of(c);
+  Options options = options_of(c, Mode::kFast);
+  options.stop.max_iterations = 300;
+  const detail::Effort search_only{
+      .trials = 3, .warm_trials = 3, .iterations_per_cluster = 100.0, .exact_work = 0.0};
+  const Solution one = detail::Run(instance, options, search_only).solve();
+  options.threads = 2;
+  const Solution two = detail::Run(instance, options, search_only).solve();
+  RC_ASSERT(one.tour == two.tour);
+  RC_ASSERT(one.cost == two.cost);
+  RC_ASSERT(one.status == two.status);
 }
 
 }  // namespace

@@ -108,11 +108,18 @@ TEST(Gtsplib, RefusesWhatIsMalformed) {
   EXPECT_THAT(refusal("NODE_COORD_SECTION\n1 0 0"), HasSubstr("DIMENSION must come before"));
   EXPECT_THAT(refusal(replaced(kPoints, "EUC_2D", "MOON_3D")), HasSubstr("MOON_3D"));
   EXPECT_THAT(refusal(replaced(kPoints, "3 +6 8", "2 6 8")), HasSubstr("must appear once"));
-  EXPECT_THAT(refusal(replaced(kPoints, "3 +6 8", "3 nan 8")), HasSubstr("finite"));
-  EXPECT_THAT(refusal(replaced(kPoints, "2 2 3 -1", "2 2 -1")), HasSubstr("Vertex 2 is in no cluster"));
+  EXPECT_EQ(refusal(replaced(kPoints, "3 +6 8", "3 nan 8")),
+            "file:10: NODE_COORD_SECTION: 3: coordinates must be finite, within 1e11");
+  EXPECT_THAT(refusal(replaced(kPoints, "3 +6 8", "3 1e300 8")), HasSubstr("file:10: "));
+  EXPECT_EQ(refusal(replaced(kPoints, "2 2 3 -1", "2 2 1 3 -1")),
+            "file:13: GTSP_SET_SECTION: 1: is also in set 1; it must be in exactly one");
+  EXPECT_EQ(refusal(replaced(kPoints, "1 1 -1", "1 -1")),
+            "file:12: GTSP_SET_SECTION: 1: the set is empty; each must hold a vertex");
+  EXPECT_EQ(refusal(kPoints + "4 5\n"), "file:15: EOF: 4 5: nothing may follow it");
+  EXPECT_THAT(refusal(replaced(kPoints, "2 2 3 -1", "2 2 -1")), HasSubstr("vertex 3 is in no set"));
   EXPECT_THAT(refusal(replaced(kPoints, "2 2 3 -1", "2 2 3")), HasSubstr("EOF: must be an integer"));
   EXPECT_THAT(refusal(replaced(kPoints, "2 2 3 -1", "1 2 3 -1")), HasSubstr("must appear once"));
-  EXPECT_THAT(refusal(replaced(kPoints, "2 2 3 -1\nEOF", "2 1")), HasSubstr("end of file"));
+  EXPECT_THAT(refusal(replaced(kPoints, "2 2 3 -1\nEOF", "2 2")), HasSubstr("end of file"));
   EXPECT_THAT(refusal(explicit_file("FULL_MATRIX", "0 1 2 3 0")), HasSubstr("must be a number"));
   EXPECT_THAT(refusal(explicit_file("UPPER_ROW", "1 -2 3")), HasSubstr("must be from 0 to"));
   EXPECT_THAT(refusal(explicit_file("SPIRAL", "1 2 3")), HasSubstr("SPIRAL"));
