@@ -14,6 +14,7 @@
 #include "tools/cli/commands.hpp"
 #include "tools/cli/input.hpp"
 #include "tools/cli/output.hpp"
+#include "tools/cli/params_file.hpp"
 #include "tools/cli/plan_file.hpp"
 #include "tools/cli/progress.hpp"
 #include "tools/cli/statistics.hpp"
@@ -30,7 +31,26 @@ struct PlanOptions {
   std::uint64_t evaluations = 0;
   std::uint64_t iterations = 0;
   int runs = 1;
+  std::string params_file;
+  std::vector<std::string> settings;
+  ChosenParams chosen;  ///< from both
 };
+
+/// Reads --params and --set; what --set names wins.
+Status take_params(PlanOptions& options) {
+  if (!options.params_file.empty()) {
+    Result<ChosenParams> chosen = read_params(options.params_file);
+    if (!chosen) return chosen.error();
+    options.chosen = std::move(*chosen);
+    if (options.algorithm.empty()) options.algorithm = options.chosen.algorithm;
+  }
+  for (const std::string& text : options.settings) {
+    Result<std::pair<std::string, double>> setting = parse_setting(text);
+    if (!setting) return setting.error();
+    options.chosen.settings.push_back(std::move(*setting));
+  }
+  return {};
+}
 
 planner::CostSpec cost_of(const PlanOptions& options, const planner::Scenario& scenario) {
   const planner::PlanningSpec& planning = scenario.planning;
@@ -61,7 +81,8 @@ planner::PricedRequest request_of(const PlanOptions& options, const planner::Sce
   plan.goal_m = *scenario.goal_m;
   plan.limits = scenario.vehicle.limits;
   plan.params.algorithm = options.algorithm.empty() ? scenario.planning.algorithm : options.algorithm;
-  plan.params.waypoints = scenario.planning.waypoints;
+  plan.params.waypoints = options.chosen.midpoints.value_or(scenario.planning.waypoints);
+  plan.params.settings = options.chosen.settings;
   plan.seed = options.common.seed + static_cast<std::uint64_t>(run);
   request.cost = cost_of(options, scenario);
   return request;
@@ -251,13 +272,20 @@ void add_plan(CLI::App& app, Exit& exit) {
       ->add_option("--runs", options->runs,
                    "Run with this many seeds, from --seed on, and report their statistics")
       ->check(CLI::Range(1, 100000));
+  command->add_option("--params", options->params_file, "Parameters as `tune -o` writes them (.json)");
+  command->add_option("--set", options->settings, "A parameter of the optimiser, key=value; may be repeated")
+      ->allow_extra_args(false);
   add_common(*command, options->common,
              "  swallowtail plan tests/data/missions/ten_spheres.yaml\n"
              "  swallowtail plan ten_spheres.yaml --budget-ms 20 --json\n"
              "  swallowtail plan ten_spheres.yaml --algorithm pso-seed --cost PSO --iterations 50\n"
+             "  swallowtail plan ten_spheres.yaml --params tuned.json --set population=40\n"
              "  swallowtail plan ten_spheres.yaml --runs 30 --threads 2 -o plan.json\n"
              "  -o writes .json (what `check --plan` reads), .csv or .geojson");
-  command->callback([options, &exit] { exit = run_plan(*options); });
+  command->callback([options, &exit] {
+    const Status status = take_params(*options);
+    exit = status.ok() ? run_plan(*options) : fail(status.error());
+  });
 }
 
 }  // namespace swallowtail::cli
