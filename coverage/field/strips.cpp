@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "coverage/field/detail/cells.hpp"
 #include "coverage/field/detail/geos.hpp"
 #include "coverage/field/detail/lines.hpp"
 #include "coverage/field/detail/rest.hpp"
@@ -110,7 +111,35 @@ Status add_lines(const Polygon& area, const StripParams& params, Cut& out) {
   return {};
 }
 
-/// Strips, then what they leave over, then the trimming.
+/// What the lines leave over gets lines of its own, then all are drawn in. `turned` and the lines lie in the
+/// frame that is turned by turn_rad.
+Result<Strips> finish(const Polygon& turned, const StripParams& params, Cut cut, double turn_rad) {
+  std::vector<Ring> seen;
+  for (const detail::Segment& piece : cut.pieces)
+    seen.push_back(detail::seen_from(piece, params.sensor_width_m));
+  const detail::Shape rest = detail::Shape::of(turned).minus(detail::Shape::of(seen));
+  if (!rest.ok()) return internal_error("GEOS could not subtract the strips from the field.");
+  const double allowed_m2 = kUncoveredShare * area_m2(turned);
+  detail::RestCover cover =
+      detail::cover_rest(turned, rest, {params.sensor_width_m, params.piece_cost_m, kRestShare * allowed_m2});
+  Strips out{turn_rad, cut.count, cut.width_m, {}, cover.uncovered_m2};
+  int number = cut.count;
+  for (detail::Segment& piece : cut.pieces) {
+    if (piece.strip < 0) piece.strip = number++;
+  }
+  for (detail::Segment piece : cover.pieces) {
+    piece.strip = number++;
+    cut.pieces.push_back(piece);
+  }
+  const double may_lose = std::max(0.0, allowed_m2 - cover.uncovered_m2);
+  out.uncovered_m2 += detail::trim(turned, {params.sensor_width_m, may_lose}, cut.pieces);
+  std::stable_sort(cut.pieces.begin(), cut.pieces.end(),
+                   [](const detail::Segment& a, const detail::Segment& b) { return a.strip < b.strip; });
+  for (const detail::Segment& piece : cut.pieces)
+    out.pieces.push_back({rotated(piece.from_m, turn_rad), rotated(piece.to_m, turn_rad), piece.strip});
+  return out;
+}
+
 Result<Strips> cut_along(const Polygon& polygon, const StripParams& params, double sweep_rad) {
   const Polygon turned = rotated(polygon, -sweep_rad);
   Cut cut;
@@ -122,30 +151,20 @@ Result<Strips> cut_along(const Polygon& polygon, const StripParams& params, doub
   } else if (const Status status = add_lines(turned, params, cut); !status) {
     return status.error();
   }
-  std::vector<Ring> seen;
-  for (const detail::Segment& piece : cut.pieces)
-    seen.push_back(detail::seen_from(piece, params.sensor_width_m));
-  const detail::Shape rest = detail::Shape::of(turned).minus(detail::Shape::of(seen));
-  if (!rest.ok()) return internal_error("GEOS could not subtract the strips from the field.");
-  const double allowed_m2 = kUncoveredShare * area_m2(polygon);
-  detail::RestCover cover =
-      detail::cover_rest(turned, rest, {params.sensor_width_m, params.piece_cost_m, kRestShare * allowed_m2});
-  Strips out{sweep_rad, cut.count, cut.width_m, {}, cover.uncovered_m2};
-  for (detail::Segment& piece : cut.pieces) {
-    if (piece.strip < 0) piece.strip = out.count++;
-  }
-  for (detail::Segment piece : cover.pieces) {
-    piece.strip = out.count++;
-    cut.pieces.push_back(piece);
-  }
-  out.count = cut.count;
-  const double may_lose = std::max(0.0, allowed_m2 - cover.uncovered_m2);
-  out.uncovered_m2 += detail::trim(turned, {params.sensor_width_m, may_lose}, cut.pieces);
-  std::stable_sort(cut.pieces.begin(), cut.pieces.end(),
-                   [](const detail::Segment& a, const detail::Segment& b) { return a.strip < b.strip; });
-  for (const detail::Segment& piece : cut.pieces)
-    out.pieces.push_back({rotated(piece.from_m, sweep_rad), rotated(piece.to_m, sweep_rad), piece.strip});
-  return out;
+  return finish(turned, params, std::move(cut), sweep_rad);
+}
+
+/// Nothing when the field has one cell only, or no better labelling than a single direction.
+std::optional<Strips> cut_by_cells(const Polygon& polygon, const StripParams& params,
+                                   const SweepParams& sweep, double sweep_rad) {
+  detail::CellLines lines = detail::lines_by_cell(polygon, sweep);
+  if (lines.pieces.empty()) return std::nullopt;
+  const Cut cut{lines.strips, sweep.spacing_m, std::move(lines.pieces)};
+  Result<Strips> strips = finish(polygon, params, cut, 0.0);
+  if (!strips) return std::nullopt;
+  strips->sweep_rad = sweep_rad;
+  strips->by_cell = true;
+  return *strips;
 }
 
 }  // namespace
@@ -185,6 +204,11 @@ Result<Strips> cut_strips(const Polygon& polygon, const StripParams& params) {
                                             best->value().cost_m(params.piece_cost_m) - kBetter_m);
     if (!best || better) best = std::move(strips);
   }
+  const bool may_vary = params.headland_m <= 0.0 && params.beyond == Beyond::kNever;
+  if (!may_vary || !best->ok()) return *best;
+  const double single = best->value().cost_m(params.piece_cost_m);
+  std::optional<Strips> cells = cut_by_cells(polygon, params, sweep, best->value().sweep_rad);
+  if (cells && cells->cost_m(params.piece_cost_m) < single - kBetter_m) return *cells;
   return *best;
 }
 

@@ -35,6 +35,8 @@ struct Strips {
   double width_m = 0.0;  ///< of each strip, ≤ the sensor's
   std::vector<Piece> pieces;
   double uncovered_m2 = 0.0;  ///< what no line inside the field sees, or what is too little to be worth one
+  bool by_cell = false;  ///< cells between holes and notches have directions of their own; sweep_rad is what
+                         ///< the whole would have
 
   /// Metres of flight with piece_cost_m for each piece.
   double cost_m(double piece_cost_m) const;
@@ -49,7 +51,9 @@ inline constexpr double kUncoveredShare = 2e-4;
 /// strips leave over along slanted borders, beside holes and in tips is covered by lines along the borders;
 /// then pieces are drawn in, or left out, where others see the same ground. No line leaves the field or
 /// crosses a hole (with Beyond::kSlantedBorders lines are instead prolonged over a slanted border, by what
-/// half a sensor sideways asks for). `polygon` must be clean. Errors (kBadInput): params; more than
+/// half a sensor sideways asks for). Without a given direction the three that promise most are cut, and one
+/// with a direction for each boustrophedon cell (detail/cells.hpp), and the cheapest is taken. `polygon` must
+/// be clean. Errors (kBadInput): params; more than
 /// kMaxStrips strips. (kInternal): GEOS failed.
 /// Departs from [COV]: strips are spread evenly, so that the last is neither missing nor half outside, and
 /// borders get lines of their own.
