@@ -23,6 +23,8 @@ constexpr int kMostRestarted = 400;
 constexpr std::size_t kPool = 8;
 /// The longest round's kicks, of the first's.
 constexpr std::uint64_t kLongestRound = 8;
+/// Fewer clusters than these are annealed in a moment, and it is better to begin anew than to go on.
+constexpr int kFewClusters = 60;
 
 struct Chain {
   std::vector<int> tour;
@@ -47,7 +49,8 @@ class Rounds {
       prepare(round, left, most);
       run_round(round);
       recombine();
-      most = std::min(2 * most, kLongestRound * setup_.first_kicks);
+      if (problem_.cluster_count() >= kFewClusters)
+        most = std::min(2 * most, kLongestRound * std::max<std::uint64_t>(1, setup_.first_kicks));
       for (const Chain& chain : chains_) left -= chain.share;
     }
     std::uint64_t kicks = 0;
