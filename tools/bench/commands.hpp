@@ -11,5 +11,6 @@ namespace swallowtail::bench {
 void add_plan(CLI::App& app, cli::Exit& exit);
 void add_scene(CLI::App& app, cli::Exit& exit);
 void add_seeds(CLI::App& app, cli::Exit& exit);
+void add_gtsp(CLI::App& app, cli::Exit& exit);
 
 }  // namespace swallowtail::bench

@@ -16,6 +16,7 @@ int main(int argc, char** argv) {
   swallowtail::bench::add_plan(app, exit);
   swallowtail::bench::add_scene(app, exit);
   swallowtail::bench::add_seeds(app, exit);
+  swallowtail::bench::add_gtsp(app, exit);
   swallowtail::cli::watch_signals();
   try {
     app.parse(argc, argv);
