@@ -6,6 +6,8 @@
 
 #include <fmt/core.h>
 
+#include "planner/base/checks.hpp"
+#include "tools/cli/cover_files.hpp"
 #include "tools/cli/geojson.hpp"
 #include "tools/cli/plan_file.hpp"
 
@@ -55,11 +57,29 @@ const char* name_of(coverage::FieldStatus status) {
   return status == coverage::FieldStatus::kPlanned ? "planned" : "refused";
 }
 
-Json field_json(const coverage::FieldReport& field) {
+/// Where to find the field: its first corner that is a place.
+Json place_json(const coverage::Task& task, std::uint32_t id) {
+  for (const auto& field : task.fields) {
+    if (field.id != id) continue;
+    for (const Vec2& corner : field.polygon.outline) {
+      if (!is_finite(corner)) continue;
+      Json out = {{"x_m", corner.x()}, {"y_m", corner.y()}};
+      const auto degrees =
+          task.origin ? planner::to_geodetic(*task.origin, corner) : Result<Vec2>(bad_input("local"));
+      if (degrees) out["lat_deg"] = degrees->x();
+      if (degrees) out["lon_deg"] = degrees->y();
+      return out;
+    }
+  }
+  return nullptr;
+}
+
+Json field_json(const coverage::FieldReport& field, const coverage::Task& task) {
   return {{"id", field.name},
           {"number", field.id},
           {"status", name_of(field.status)},
           {"reason", field.reason},
+          {"place", place_json(task, field.id)},
           {"area_m2", field.area_m2},
           {"covered_m2", field.covered_m2},
           {"outside_m2", field.outside_m2},
@@ -70,16 +90,18 @@ Json field_json(const coverage::FieldReport& field) {
 }
 
 /// Fields of a task without a plan: nothing was measured, all are refused for the task's reason.
-Json unplanned_json(const coverage::Field& field, const std::string& reason) {
+Json unplanned_json(const coverage::Field& field, const coverage::Task& task, const std::string& reason) {
   coverage::FieldReport report;
   report.id = field.id;
   report.name = field.name;
   report.reason = reason;
   report.area_m2 = coverage::area_m2(field.polygon);
-  return field_json(report);
+  return field_json(report, task);
 }
 
 Json leg_json(const coverage::Leg& leg, std::size_t task) {
+  Json bends = Json::array();
+  for (const Vec3& corner : leg.transfer_m) bends.push_back(to_json(corner));
   return {{"task", task},
           {"field", leg.field_id},
           {"sub_cell", leg.sub_cell_id},
@@ -89,6 +111,7 @@ Json leg_json(const coverage::Leg& leg, std::size_t task) {
           {"height_m", leg.height_m},
           {"width_m", leg.width_m},
           {"transfer", coverage::name_of(leg.transfer)},
+          {"transfer_m", std::move(bends)},
           {"energy_before", leg.energy_before},
           {"energy_after", leg.energy_after},
           {"start_s", leg.start_s},
@@ -124,11 +147,12 @@ Json document(const CoverJob& job, const std::vector<Covered>& done, CoverStatus
     const Covered& one = done[task];
     if (!one.plan) {
       if (out["reason"] == "") out["reason"] = one.reason;
-      for (const auto& field : one.task->fields) out["fields"].push_back(unplanned_json(field, one.reason));
+      for (const auto& field : one.task->fields)
+        out["fields"].push_back(unplanned_json(field, *one.task, one.reason));
       continue;
     }
     for (const auto& field : one.plan->fields) {
-      out["fields"].push_back(field_json(field));
+      out["fields"].push_back(field_json(field, *one.task));
       if (out["reason"] == "" && field.status == coverage::FieldStatus::kRefused)
         out["reason"] = field.reason;
     }
@@ -207,7 +231,18 @@ std::string plan_geojson(const std::vector<Covered>& done) {
       Json properties = leg_json(leg, task);
       properties.erase("from_m");
       properties.erase("to_m");
+      properties.erase("transfer_m");
       writer.add_line({leg.entry_m, leg.exit_m}, std::move(properties));
+    }
+    const auto& legs = done[task].plan->legs;
+    for (std::size_t i = 0; i + 1 < legs.size(); ++i) {
+      std::vector<Vec3> way{legs[i].exit_m};
+      way.insert(way.end(), legs[i].transfer_m.begin(), legs[i].transfer_m.end());
+      way.push_back(legs[i + 1].entry_m);
+      writer.add_line(way, {{"task", task},
+                            {"kind", "transfer"},
+                            {"after_leg", i},
+                            {"transfer", coverage::name_of(legs[i].transfer)}});
     }
     for (const auto& meeting : done[task].plan->rendezvous) {
       Json properties = rendezvous_json(meeting, task);
@@ -252,6 +287,12 @@ Answer answer_of(const CoverJob& job, const std::vector<Covered>& done, CoverSta
   answer.table = table_of(job, answer.json);
   answer.files[".csv"] = [json = answer.json] { return legs_csv(json); };
   answer.files[".geojson"] = [&done] { return plan_geojson(done); };
+  answer.files[".kml"] = [&done] { return cover_kml(done); };
+  answer.files[".svg"] = [&job, &done] { return cover_svg(job, done); };
+  answer.files[".plan"] = [&done] {
+    const Result<std::string> plan = cover_qgc_plan(done);
+    return plan ? *plan : std::string();
+  };
   return answer;
 }
 

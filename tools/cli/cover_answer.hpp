@@ -24,8 +24,9 @@ const char* name(CoverStatus status);
 /// Certified only when every task has a complete plan.
 CoverStatus status_of(const std::vector<Covered>& done);
 
-/// The document, table and files (csv of legs, geojson of legs and rendezvous) of `cover`. Figures of several
-/// tasks are added up, least energies and percentages taken over all.
+/// The document, table and files (csv of legs, geojson of legs, transfers and rendezvous, and those of
+/// cover_files.hpp) of `cover`. Figures of several tasks are added up, least energies and percentages taken
+/// over all. The .plan is empty where cover_qgc_plan refuses. Borrows `job` and `done`.
 Answer answer_of(const CoverJob& job, const std::vector<Covered>& done, CoverStatus status, double wall_s);
 
 }  // namespace swallowtail::cli

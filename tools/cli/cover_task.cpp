@@ -35,7 +35,7 @@ double extent_m(const std::vector<coverage::Field>& fields) {
       hi = hi.cwiseMax(corner);
     }
   }
-  return (hi - lo).maxCoeff();
+  return fields.empty() ? 0.0 : (hi - lo).maxCoeff();
 }
 
 bool is_chosen(const FieldsJob& job, const coverage::Field& field) {
@@ -48,6 +48,7 @@ Result<coverage::FieldFile> read(const FieldsJob& job, coverage::FieldFrame fram
   options.frame = frame;
   options.default_height_m = job.default_height_m;
   options.class_heights_m = job.class_heights_m;
+  options.no_fly_file = job.no_fly_file;
   auto file = coverage::read_fields(job.file, options);
   if (!file) return file.error();
   coverage::FieldFile chosen;
@@ -55,8 +56,11 @@ Result<coverage::FieldFile> read(const FieldsJob& job, coverage::FieldFrame fram
   for (std::size_t i = 0; i < file->fields.size(); ++i) {
     if (!is_chosen(job, file->fields[i])) continue;
     chosen.fields.push_back(std::move(file->fields[i]));
-    if (i < file->origins.size()) chosen.origins.push_back(file->origins[i]);
+    if (i >= file->origins.size()) continue;
+    chosen.origins.push_back(file->origins[i]);
+    chosen.no_fly.push_back(std::move(file->no_fly[i]));
   }
+  if (file->origins.empty()) chosen.no_fly = std::move(file->no_fly);
   if (chosen.fields.empty()) return not_found(job.file + ": has none of the fields asked for.");
   return chosen;
 }
@@ -76,6 +80,7 @@ Result<CoverJob> job_of(const planner::Scenario& scenario, std::uint64_t seed) {
   task.vehicle = scenario.vehicle.limits;
   task.origin = fields->origin;
   task.fields = std::move(fields->fields);
+  task.no_fly = std::move(fields->no_fly);
   task.sensor_width_m = spec.sensor_width_m;
   task.height_tolerance_m = spec.height_tolerance_m;
   task.height_band_m = spec.height_band_m;
@@ -113,6 +118,7 @@ Result<CoverJob> job_of(const FieldsJob& fields) {
     if (is_one) {
       task.fields = std::move(file->fields);
       task.origin = file->origin;
+      task.no_fly = std::move(file->no_fly.front());
       start_at(task, on_ground(job.terrain, first_corner(task.fields.front())));
       job.tasks.push_back(std::move(task));
       return job;
@@ -124,6 +130,7 @@ Result<CoverJob> job_of(const FieldsJob& fields) {
   for (std::size_t i = 0; i < file->fields.size(); ++i) {
     coverage::Task one = task;
     if (i < file->origins.size()) one.origin = file->origins[i];
+    one.no_fly = file->origins.empty() ? file->no_fly.front() : std::move(file->no_fly[i]);
     start_at(one, on_ground(job.terrain, first_corner(file->fields[i])));
     one.fields.push_back(std::move(file->fields[i]));
     job.tasks.push_back(std::move(one));

@@ -28,6 +28,7 @@ struct FieldsJob {
   std::vector<std::string> field_ids;  ///< empty: all
   coverage::Task task;                 ///< everything but fields, origin and start
   std::map<std::string, double> class_heights_m;
+  std::string no_fly_file;  ///< see FieldFileOptions
   double default_height_m = 20.0;
   std::optional<double> sweep_deg;
   enum class Split { kAuto, kOne, kEach } split = Split::kAuto;

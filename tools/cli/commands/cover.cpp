@@ -17,6 +17,7 @@
 #include "tools/cli/commands.hpp"
 #include "tools/cli/cover_answer.hpp"
 #include "tools/cli/cover_check.hpp"
+#include "tools/cli/cover_files.hpp"
 #include "tools/cli/cover_task.hpp"
 #include "tools/cli/input.hpp"
 #include "tools/cli/output.hpp"
@@ -132,6 +133,9 @@ std::optional<CoverJob> read_job(CoverOptions& options, Exit& exit) {
     }
     options.fields.file = options.file;
     options.fields.task.seed = options.common.seed;
+    const coverage::FieldRules& rules = options.fields.task.rules;
+    if (rules.headland != coverage::Headland::kNone && rules.headland_m <= 0.0)
+      return bad_input("cover: --headland needs --headland-width.");
     return job_of(options.fields);
   }();
   if (!job) return std::nullopt;
@@ -142,15 +146,27 @@ std::optional<CoverJob> read_job(CoverOptions& options, Exit& exit) {
   return std::move(job->value());
 }
 
+/// Tells before any work is done that a .plan cannot hold the answer.
+Status check_plan_file(const std::string& output, const CoverJob& job) {
+  if (std::filesystem::path(output).extension() != ".plan") return {};
+  std::vector<Covered> unplanned;
+  for (const coverage::Task& task : job.tasks) unplanned.push_back({&task, coverage::Plan(), "", 0.0});
+  if (unplanned.size() == 1 && unplanned.front().task->origin) return {};
+  const auto refused = cover_qgc_plan(unplanned);
+  return refused ? Status() : Status(refused.error());
+}
+
 Exit run_cover(CoverOptions& options) {
-  if (const Status status = check_output(options.common, {".json", ".csv", ".geojson"}); !status.ok())
-    return fail(status.error());
+  const Status output = check_output(options.common, {".json", ".csv", ".geojson", ".kml", ".plan", ".svg"});
+  if (!output.ok()) return fail(output.error());
   Exit exit = Exit::kDone;
   const auto job = read_job(options, exit);
   if (!job) return exit;
   for (const coverage::Task& task : job->tasks) {
     if (const Status status = coverage::validate(task); !status.ok()) return fail(status.error());
   }
+  if (const Status status = check_plan_file(options.common.output, *job); !status.ok())
+    return fail(status.error());
   const SteadyClock clock;
   const double begin_s = clock.now_s();
   std::vector<Covered> done;
@@ -164,6 +180,26 @@ Exit run_cover(CoverOptions& options) {
                                              {CoverStatus::kInfeasible, Exit::kNone},
                                              {CoverStatus::kInterrupted, Exit::kInterrupted}};
   return deliver(options.common, answer_of(*job, done, status, clock.now_s() - begin_s), exits.at(status));
+}
+
+void add_rules_options(CLI::App& group, FieldsJob& fields) {
+  coverage::FieldRules& rules = fields.task.rules;
+  const std::map<std::string, coverage::Headland> headlands = {{"none", coverage::Headland::kNone},
+                                                               {"skip", coverage::Headland::kSkip},
+                                                               {"fly", coverage::Headland::kFly}};
+  group.add_option("--no-fly", fields.no_fly_file, "Vector file of areas neither covered nor crossed");
+  group.add_option("--overlap", rules.overlap, "Share of the sensor's width that neighbouring strips share")
+      ->check(CLI::Range(0.0, 0.9))
+      ->capture_default_str();
+  group.add_option("--headland", rules.headland, "A band along the border: fly along it first, or skip it")
+      ->transform(CLI::CheckedTransformer(headlands))
+      ->option_text("none|skip|fly");
+  group.add_option("--headland-width", rules.headland_m, "Its width, m")->check(CLI::PositiveNumber);
+  group.add_flag_callback(
+      "--allow-outside", [&rules] { rules.beyond = coverage::Beyond::kSlantedBorders; },
+      "Lines may leave the field over slanted borders, by half a sensor sideways");
+  group.add_option("--ceiling", rules.ceiling_m, "Greatest lawful height above ground, m")
+      ->check(CLI::PositiveNumber);
 }
 
 void add_fields_options(CLI::App& command, CoverOptions& options) {
@@ -187,6 +223,7 @@ void add_fields_options(CLI::App& command, CoverOptions& options) {
       ->option_text("auto|one|each");
   group->add_option("--sweep-deg", fields.sweep_deg,
                     "Flying direction, counter-clockwise from east, instead of the cheapest");
+  add_rules_options(*group, fields);
   group->add_option("--speed", fields.task.vehicle.cruise_speed_mps, "Cruise speed, m/s")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
@@ -234,7 +271,9 @@ void add_cover(CLI::App& app, Exit& exit) {
              "  swallowtail cover tests/data/missions/two_heights.yaml\n"
              "  swallowtail cover fields.geojson --sensor-width 10 --height 25 --json\n"
              "  swallowtail cover parcels.geojson --sensor-width 12 --field nl-3-0 -o legs.geojson\n"
-             "  -o writes .json, .csv (legs) or .geojson (legs and rendezvous)");
+             "  swallowtail cover field.kml --sensor-width 8 --no-fly ponds.geojson -o mission.plan\n"
+             "  -o writes .json, .csv (legs), .geojson or .kml (legs, transfers, rendezvous), .plan\n"
+             "  (QGroundControl) or .svg (a picture)");
   command->callback([options, &exit] { exit = run_cover(*options); });
 }
 
