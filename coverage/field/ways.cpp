@@ -129,7 +129,7 @@ void Ways::Domain::see_each_other() const {
   }
 }
 
-/// Shortest distances over the nodes [Dijkstra 1959].
+/// Shortest distances over the nodes [DIJKSTRA].
 const Ways::Domain::View& Ways::Domain::view_of(const Vec2& place) const {
   const auto [found, is_new] = views_.try_emplace({place.x(), place.y()});
   View& view = found->second;

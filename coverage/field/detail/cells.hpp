@@ -9,7 +9,7 @@
 namespace swallowtail::coverage::detail {
 
 /// The polygon cut at every place where strips along `sweep_rad` begin or cease to be split by a hole or a
-/// notch [Choset 2000]: within a cell each strip is one piece.
+/// notch [CHOSET]: within a cell each strip is one piece.
 std::vector<Polygon> boustrophedon_cells(const Polygon& polygon, double sweep_rad);
 
 struct CellLines {
@@ -21,7 +21,7 @@ struct CellLines {
 /// cells the labelling whose lines cost least (length and piece_cost_m; a line that goes on through
 /// neighbouring cells of one direction is one piece; a border between cells of different directions costs a
 /// share of its length), by descent from each of the best single directions. Empty when there is one cell
-/// only or no labelling beats a single direction. Departs from [Bähnemann 2019]: directions are chosen before
+/// only or no labelling beats a single direction. Departs from [BAHNEMANN]: directions are chosen before
 /// the tour and not by it, since a tour over single strips takes more from a line that goes on than from a
 /// better sweep of one cell.
 CellLines lines_by_cell(const Polygon& polygon, const SweepParams& params);

@@ -22,7 +22,7 @@ void add_crossings(const Ring& ring, const Line& line, std::vector<double>& out)
   }
 }
 
-/// Keeps of a ring what lies where sign · coordinate ≤ limit [Sutherland, Hodgman 1974].
+/// Keeps of a ring what lies where sign · coordinate ≤ limit [SUTHERLAND-HODGMAN].
 void clip(const Ring& ring, int axis, double sign, double limit, Ring& out) {
   out.clear();
   for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {

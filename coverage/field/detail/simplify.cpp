@@ -9,8 +9,7 @@ namespace {
 
 constexpr double kRounding = 1e-9;
 
-/// Splits a chain of border vertices where it leaves its chord by more than the tolerance [Douglas, Peucker
-/// 1973].
+/// Splits a chain of border vertices where it leaves its chord by more than the tolerance [DOUGLAS-PEUCKER].
 void split_chain(const Ring& ring, std::size_t first, std::size_t last, double tolerance_m,
                  std::vector<std::size_t>& out) {
   const Vec2& a = ring[first % ring.size()];
