@@ -69,7 +69,8 @@ class PointToPoint {
       report_.status = PlanStatus::kInterrupted;
       report_.reason = "Interrupted before anything certified was found.";
     } else {
-      report_.reason = "No certified path was found in " + std::to_string(report_.evaluations) +
+      report_.reason = "None found in budget: no path was certified within " +
+                       std::to_string(report_.evaluations) +
                        " evaluations; the straight line is blocked by " + blocked_by_ + ".";
     }
     return finish();

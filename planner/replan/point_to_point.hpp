@@ -32,7 +32,7 @@ struct PlanParams {
   int waypoints = 6;              ///< midpoints of the swarm's paths, 1 to 64; the answer may have more
   int population = 24;
   swarm::Settings settings{};  ///< other parameters of the algorithm by name, over its defaults
-  CorridorParts parts{};  ///< what takes part: leave something out to see what it is worth
+  CorridorParts parts{};       ///< what takes part: leave something out to see what it is worth
 };
 Status validate(const PlanParams& params);
 
@@ -66,12 +66,14 @@ struct PlanReport {
   std::vector<PlanProgress> history;  ///< each improvement of the certified path
 };
 
-/// Plans from one point to another: the straight line if it is clear; else the named algorithm chooses
-/// corridors in rounds of different boxes and seeds, a local descent shortens what it finds, and the
-/// certifier decides. Anytime: goes on until `stop` or until rounds no longer improve. Without a limit in
-/// `stop` it uses kDefaultEvaluations. `observer` is called on each improvement (may be empty). Times come
-/// from `clock` (may be null: all wall times 0). Errors: limits, parameters or points that do not validate. A
-/// path that is not certified is never returned.
+/// Plans from one point to another: the straight line if it is clear; else a tree of sidesteps gives a path
+/// at once, the named algorithm and more trees choose corridors in rounds of different boxes and seeds, a
+/// taut string shortens what they find (corridor_search.hpp), and the certifier decides. Anytime: goes on
+/// until `stop` or until rounds no longer improve. Without a limit in `stop` it uses kDefaultEvaluations; a
+/// goal that cannot be reached is kNoneFound after that. `observer` is called on each improvement (may be
+/// empty). Times come from `clock` (may be null: all wall times 0). A scene scaled by a power of two gives
+/// the scaled path, bit for bit. Errors: limits, parameters or points that do not validate. A path that is
+/// not certified is never returned.
 Result<PlanReport> plan_path(std::shared_ptr<const World> world, const PlanRequest& request,
                              const StopCondition& stop, const Clock* clock = nullptr,
                              const std::function<void(const PlanProgress&)>& observer = {});

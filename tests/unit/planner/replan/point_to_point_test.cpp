@@ -91,6 +91,44 @@ TEST(PlanPath, FindsNothingThroughAWallAndStaysInItsBudget) {
   EXPECT_NE(report.reason.find("obstacle 3"), std::string::npos);
 }
 
+TEST(PlanPath, SaysThatNoneWasFoundWhereTheGoalIsWalledIn) {
+  std::vector<Obstacle> walls;
+  const Vec3 goal(150, 100, 50);
+  std::uint32_t id = 1;
+  for (const Vec3& side :
+       {Vec3(20, 0, 0), Vec3(-20, 0, 0), Vec3(0, 20, 0), Vec3(0, -20, 0), Vec3(0, 0, 20), Vec3(0, 0, -20)}) {
+    const Vec3 size = Vec3::Constant(46) - 42.0 / 20.0 * side.cwiseAbs();
+    walls.push_back({.id = id++, .shape = Box{size, 0.0}, .position_m = goal + side});
+  }
+  PlanRequest request = across();
+  request.goal_m = goal;
+  for (const std::uint64_t budget :
+       {std::uint64_t{0}, std::uint64_t{1}, std::uint64_t{10}, std::uint64_t{5000}}) {
+    const PlanReport report = *plan_path(world_of(walls), request, {.max_evaluations = budget});
+    EXPECT_EQ(report.status, PlanStatus::kNoneFound);
+    EXPECT_TRUE(report.path.empty());
+    EXPECT_LE(report.evaluations, std::max<std::uint64_t>(budget, 1));
+    EXPECT_NE(report.reason.find("None found in budget"), std::string::npos) << report.reason;
+  }
+}
+
+TEST(PlanPath, LeavesOutPartsWhenTold) {
+  const auto world = world_of({ball(1, Vec3(60, 100, 30), 20), ball(2, Vec3(120, 90, 30), 20)});
+  const double whole = plan_path(world, across(), {.max_evaluations = 4000})->length_m;
+  for (const CorridorParts& parts : {CorridorParts{.tree = false}, CorridorParts{.butterflies = false},
+                                     CorridorParts{.launcher = false}, CorridorParts{.polish = false}}) {
+    PlanRequest request = across();
+    request.params.parts = parts;
+    const PlanReport report = *plan_path(world, request, {.max_evaluations = 4000});
+    ASSERT_EQ(report.status, PlanStatus::kCertified);
+    EXPECT_LT(report.length_m, 1.05 * whole);
+    EXPECT_GE(report.length_m, whole * (1.0 - 1e-3));
+  }
+  PlanRequest request = across();
+  request.params.parts = {.tree = false, .butterflies = false};
+  EXPECT_FALSE(plan_path(world, request, {.max_evaluations = 4000}).ok());
+}
+
 TEST(PlanPath, StopsWhenAsked) {
   const std::atomic<bool> asked{true};
   const PlanReport report =
