@@ -160,22 +160,29 @@ ObstacleField::ObstacleField(std::shared_ptr<const World> world, const VehicleLi
 }
 
 detail::BallTree ObstacleField::add_solids(const VehicleLimits& limits, bool standing, double time_s) {
-  const auto required_m = [&](const Obstacle& obstacle) {
-    return with_reserve(limits.clearance_m() + obstacle.margin_m, bounding_radius_m(obstacle.shape));
+  struct Chosen {
+    const Obstacle* obstacle;
+    detail::Ball ball;
+    double required_m;
   };
-  std::vector<const Obstacle*> chosen;
+  std::vector<Chosen> chosen;
   std::vector<detail::MovingBall> balls;
+  chosen.reserve(standing ? world_->obstacles().size() : 0);
+  balls.reserve(chosen.capacity());
   for (const Obstacle& obstacle : world_->obstacles()) {
     if (detail::stands_for_ever(obstacle) != standing) continue;
     const detail::Ball ball = detail::ball_of(obstacle.shape);
-    chosen.push_back(&obstacle);
-    balls.push_back({obstacle.position_at(time_s) + ball.offset_m, obstacle.velocity_mps,
-                     ball.radius_m + required_m(obstacle)});
+    const double required_m =
+        with_reserve(limits.clearance_m() + obstacle.margin_m, bounding_radius_m(obstacle.shape));
+    chosen.push_back({&obstacle, ball, required_m});
+    balls.push_back(
+        {obstacle.position_at(time_s) + ball.offset_m, obstacle.velocity_mps, ball.radius_m + required_m});
   }
   std::vector<std::uint32_t> order;
   detail::BallTree tree(balls, time_s, order);
   for (const std::uint32_t i : order)
-    solids_.push_back(detail::field_solid(*chosen[i], required_m(*chosen[i]), supports_));
+    solids_.push_back(
+        detail::field_solid(*chosen[i].obstacle, chosen[i].ball, chosen[i].required_m, supports_));
   return tree;
 }
 

@@ -74,7 +74,8 @@ Ball ball_of(const Shape& shape) {
   return {middle, std::min(0.5 * (box.max_m - box.min_m).norm(), bounding_radius_m(shape) + middle.norm())};
 }
 
-FieldSolid field_solid(const Obstacle& obstacle, double required_m, std::vector<double>& supports) {
+FieldSolid field_solid(const Obstacle& obstacle, const Ball& ball, double required_m,
+                       std::vector<double>& supports) {
   FieldSolid solid;
   solid.id = obstacle.id;
   solid.velocity_mps = obstacle.velocity_mps;
@@ -89,7 +90,6 @@ FieldSolid field_solid(const Obstacle& obstacle, double required_m, std::vector<
   if (const auto* mesh = std::get_if<ConvexMesh>(&obstacle.shape)) set_mesh(solid, *mesh, supports);
   const Extent box = extent(obstacle.shape);
   solid.half_extent_m = 0.5 * (box.max_m - box.min_m);
-  const Ball ball = ball_of(obstacle.shape);
   solid.ball_offset_m = ball.offset_m;
   solid.ball_radius_m = ball.radius_m;
   return solid;

@@ -47,7 +47,8 @@ struct Ball {
 };
 Ball ball_of(const Shape& shape);
 
-/// The obstacle with the distance to keep from it. Appends to `supports` for a mesh.
-FieldSolid field_solid(const Obstacle& obstacle, double required_m, std::vector<double>& supports);
+/// The obstacle with its ball and the distance to keep from it. Appends to `supports` for a mesh.
+FieldSolid field_solid(const Obstacle& obstacle, const Ball& ball, double required_m,
+                       std::vector<double>& supports);
 
 }  // namespace swallowtail::planner::detail
