@@ -151,7 +151,7 @@ class GtspBench {
     }
     std::vector<std::string> row = {bench_case.name,
                                     std::to_string(bench_case.instance.vertex_count()),
-                                    significant(best, 9),
+                                    fmt::format("{}", best),
                                     fmt::format("{:.3f}", gap),
                                     fmt::format("{:.3f}", worst),
                                     fmt::format("{}/{}", hits, runs.size()),
