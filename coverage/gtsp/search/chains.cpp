@@ -16,7 +16,7 @@ namespace {
 constexpr int kNear = 10;
 constexpr double kHot = 0.8;
 constexpr double kCold = 0.05;
-constexpr double kWarmHot = 0.1;
+constexpr double kWarmHot = 0.02;
 /// Up to so many clusters the second chain begins each round anew.
 constexpr int kMostRestarted = 400;
 /// Tours kept to be recombined with.
@@ -154,7 +154,8 @@ class Rounds {
       return std::max(by_work, (now_s() - begin_s) / (chain.end_s - begin_s));
     };
     Annealer<Costs> annealer(problem_, candidates_[at(index)], costs, chain_rng(round, index));
-    const Schedule schedule{chain.share, setup_.start.empty() ? kHot : kWarmHot, kCold};
+    const Schedule schedule{chain.share, setup_.start.empty() ? kHot : kWarmHot,
+                            std::min(kCold, setup_.start.empty() ? kHot : kWarmHot)};
     chain.kicks += annealer.run(chain.tour, schedule, progress,
                                 [&](const std::vector<int>& tour, Cost cost, std::uint64_t kicks) {
                                   chain.cost = cost;
