@@ -52,7 +52,7 @@ void write_chain(const Scene& scene, std::span<const Vec3> polyline, double* var
 /// True if every limit of kRepaired holds afterwards. Takes no memory.
 bool repair(const Scene& scene, Path& path);
 
-/// F1–F4; all infinite for an infeasible path. `looked_at` kPublished checks band and R_min itself.
+/// F1–F4; all infinite where a segment is too short, a threat is met or a node leaves the band.
 Eigen::Vector4d measure(const Scene& scene, const Path& path);
 
 /// Changes nodes of a path a little; may break limits.

@@ -16,7 +16,7 @@ double heading_rad(const Path& path, int segment) {
 }
 
 /// Moves the nodes of a segment so that its point nearest to the axis comes to `distance_m` from it.
-bool push_out(const Path& before, Path& path, int j, const Vec2& axis, double distance_m) {
+bool push_out(Path& path, int j, const Vec2& axis, double distance_m) {
   const Vec2 a = level(path.at[j]);
   const Vec2 d = level(path.at[j + 1]) - a;
   const double squared = d.squaredNorm();
@@ -28,7 +28,7 @@ bool push_out(const Path& before, Path& path, int j, const Vec2& axis, double di
                              ? Vec2(away / found_m)
                              : Vec2(-d.y(), d.x()) / std::max(d.norm(), 1e-9 * distance_m);
   const double from_a = j == 0 ? 0.0 : 1.0 - t;
-  const double from_b = j + 2 == before.points ? 0.0 : t;
+  const double from_b = j + 2 == path.points ? 0.0 : t;
   const double gain = from_a * (1.0 - t) + from_b * t;
   if (gain < 1e-3) return false;
   const Vec2 push = (distance_m * (1.0 + 1e-3) - found_m) / gain * direction;
@@ -45,7 +45,7 @@ void repair_plan(const Scene& scene, Path& path) {
     for (int j = 0; j < path.segments(); ++j) {
       for (const NavigationSpec::Threat& threat : spec.threats) {
         const double keep_m = spec.vehicle_size_m + threat.radius_m + kGuard_m;
-        changed = push_out(path, path, j, threat.center_m, keep_m) || changed;
+        changed = push_out(path, j, threat.center_m, keep_m) || changed;
       }
     }
     for (int j = 1; j + 1 < path.points; ++j) {
