@@ -139,7 +139,11 @@ Status read_layer(OGRLayer& layer, RawFile& out) {
   bool says_local = reference != nullptr && reference->IsLocal() != 0;
   for (auto& feature : layer) {
     const RawField like = read_properties(*feature, says_local);
-    if (feature->GetGeometryRef() != nullptr) add_polygons(*feature->GetGeometryRef(), like, out.fields);
+    if (feature->GetGeometryRef() == nullptr) {
+      out.fields.push_back(like);  // empty: left for clean() to name
+    } else {
+      add_polygons(*feature->GetGeometryRef(), like, out.fields);
+    }
     if (out.fields.size() > kMaxFileFields) return bad_input("The file holds more than 10000 polygons.");
   }
   return settle_frame(reference, says_local, first, out);

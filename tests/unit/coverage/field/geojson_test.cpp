@@ -69,6 +69,28 @@ TEST_F(GeoJson, WhatIsNoFileOfFieldsIsRefused) {
               HasSubstr("a"));
 }
 
+TEST_F(GeoJson, AnEmptyPolygonStaysAFieldThatIsRefusedByName) {
+  const std::string empty =
+      R"({"type":"Feature","properties":{"id":"e"},"geometry":{"type":"Polygon","coordinates":[]}},)";
+  const auto fields = read_fields(file(empty + kDegrees), {});
+  ASSERT_TRUE(fields.ok()) << fields.error().message;
+  ASSERT_EQ(fields->fields.size(), 2U);
+  const FieldCut cut = cut_field(fields->fields.front(), planner::Terrain::flat(0.0), {});
+  EXPECT_EQ(cut.status, FieldStatus::kRefused);
+  EXPECT_THAT(cut.reason, HasSubstr("Field 'e'"));
+  EXPECT_THAT(cut.reason, HasSubstr("empty"));
+}
+
+TEST_F(GeoJson, NoFlyAreasAreKeptApart) {
+  const std::string no_fly =
+      R"(,{"type":"Feature","properties":{"id":"pond","no_fly":true},"geometry":{"type":"Polygon","coordinates":[[[5.0002,52.0002],[5.0004,52.0002],[5.0004,52.0004],[5.0002,52.0002]]]}})";
+  const auto fields = read_fields(file(kDegrees + no_fly), {});
+  ASSERT_TRUE(fields.ok()) << fields.error().message;
+  EXPECT_EQ(fields->fields.size(), 1U);
+  ASSERT_EQ(fields->no_fly.size(), 1U);
+  EXPECT_EQ(fields->no_fly[0].size(), 1U);
+}
+
 TEST_F(GeoJson, FieldsFarApartHaveAFrameEachWhenAskedTo) {
   const std::string far =
       R"(,{"type":"Feature","properties":{"id":"b"},"geometry":{"type":"Polygon","coordinates":[[[-90.0,41.0],[-89.999,41.0],[-89.999,41.001],[-90.0,41.0]]]}})";
