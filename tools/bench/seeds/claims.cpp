@@ -26,10 +26,8 @@ Claim sourced(Claim claim, const std::string& source, const std::string& sentenc
 std::vector<Claim> boa_in_the_plane(const std::string& e, const std::vector<Row>& rows) {
   const std::vector<std::string> both{"pso-seed", "aco-seed"};
   return {
-      undecidable(
-          e, "[BOA Fig. 12a]", "BOA falls from 314 to 295, PSO to 297, ACO to 304",
-          "obstacles and parameters are not printed, and no path of one or two midpoints costs that much "
-          "by Eq. 16 as corrected"),
+      undecidable(e, "[BOA Fig. 12a]", "BOA falls from 314 to 295, PSO to 297, ACO to 304",
+                  "obstacles and parameters are not printed"),
       sourced(lower_than(rows, e, "cost", "boa-seed", both), "[BOA Fig. 12a]",
               "BOA ends lower than PSO and ACO"),
       sourced(lower_than(rows, e, "cost", "pso-seed", {"aco-seed"}), "[BOA Fig. 12a]",
