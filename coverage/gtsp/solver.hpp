@@ -21,7 +21,8 @@ enum class Mode { kFast, kDefault, kSlow };
 /// A closed tour returns from its last vertex to its first; an open one does not.
 enum class TourKind { kClosed, kOpen };
 
-/// Largest instance the search takes: it holds one or two matrices of n×n floats (268 MB each at the limit).
+/// Largest instance the search takes unless it is given as points with nothing fixed: it holds one or two
+/// matrices of n×n entries of 4 bytes (268 MB each at the limit).
 inline constexpr int kMaxSolverVertices = 8'192;
 
 /// Largest number of clusters with Options::precedence.
@@ -99,14 +100,15 @@ struct Solution {
   std::string reason = "solve was not called.";  ///< a sentence on how it ended
 };
 
-/// Solves by ruin and recreate over the clusters' order and vertices under simulated annealing, with
-/// heuristics chosen adaptively [SMITH-IMESON] and strings removed around a cluster
-/// [CHRISTIAENS-VANDEN-BERGHE]; each promising tour's vertices are made the best for its order by dynamic
-/// programming [FISCHETTI-SALAZAR-TOTH]. Small instances are then solved exactly over subsets of clusters.
-/// Departs from the sources: missing arcs are counted and minimised before cost instead of weighing much;
-/// insertion positions are pruned by vertex-to-cluster distances; what is fixed (prefix, start, end,
-/// openness) is folded into one vertex beforehand. Options that validate refuses give kNoneFound with the
-/// error's message as reason.
+/// Instances without missing arcs: chains of local kicks, local search and choice of vertices around them
+/// under annealing, recombined (see search/chains.hpp); one iteration = one kick. Others: ruin and recreate
+/// over the clusters' order and vertices under simulated annealing, with heuristics chosen adaptively
+/// [SMITH-IMESON] and strings removed around a cluster [CHRISTIAENS-VANDEN-BERGHE]; each promising tour's
+/// vertices are made the best for its order by dynamic programming [FISCHETTI-SALAZAR-TOTH]. Small instances
+/// are then solved exactly over subsets of clusters. Departs from the sources: missing arcs are counted and
+/// minimised before cost instead of weighing much; insertion positions are pruned by vertex-to-cluster
+/// distances; what is fixed (prefix, start, end, openness) is folded into one vertex beforehand. Options that
+/// validate refuses give kNoneFound with the error's message as reason.
 Solution solve(const Instance& instance, const Options& options);
 
 }  // namespace swallowtail::gtsp
