@@ -109,8 +109,8 @@ Task to_task(const data::CoverageTask& in) {
 
 Status check_polygons(const Task& task) {
   for (const Field& field : task.fields) {
-    const Result<Polygon> polygon = clean(field.polygon);
-    if (!polygon) return bad_input("Field " + std::to_string(field.id) + ": " + polygon.error().message);
+    const Result<std::vector<Polygon>> parts = clean(field.polygon);
+    if (!parts) return bad_input("Field " + std::to_string(field.id) + ": " + parts.error().message);
   }
   return {};
 }
@@ -168,10 +168,17 @@ LivePlan from_wire(const data::CoveragePlan& in, const Task& task, const planner
   out.area_m2 = in.field_area_m2;
   out.complete = in.complete;
   for (const data::Leg& leg : in.legs) {
-    out.legs.push_back(
-        {leg.sub_cell_id, 0, leg.kind == data::LegKind::kCover ? LegKind::kCover : LegKind::kReposition,
-         to_vec(leg.entry), to_vec(leg.exit), leg.height_m, task.sensor_width_m,
-         static_cast<Transfer>(leg.transfer), leg.energy_before, leg.energy_after, leg.start_s, leg.end_s});
+    out.legs.push_back({.sub_cell_id = leg.sub_cell_id,
+                        .kind = leg.kind == data::LegKind::kCover ? LegKind::kCover : LegKind::kReposition,
+                        .entry_m = to_vec(leg.entry),
+                        .exit_m = to_vec(leg.exit),
+                        .height_m = leg.height_m,
+                        .width_m = task.sensor_width_m,
+                        .transfer = static_cast<Transfer>(leg.transfer),
+                        .energy_before = leg.energy_before,
+                        .energy_after = leg.energy_after,
+                        .start_s = leg.start_s,
+                        .end_s = leg.end_s});
   }
   for (std::size_t i = 0; i + 1 < out.legs.size(); ++i) {
     const Leg& leg = out.legs[i];
