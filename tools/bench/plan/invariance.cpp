@@ -171,6 +171,7 @@ Invariance measure_invariance(const std::vector<Subject>& subjects, const Schedu
                        "p ranks", "p distribution", "verdict"};
   std::vector<std::vector<std::string>> twice_rows;
   for (const Subject& subject : subjects) {
+    if (cli::interrupted()) break;
     const Sample base = sample(base_case, subject, schedule, 1.0, progress);
     const auto keep = [&](const PlanCase& c, const Sample& s, std::uint64_t first) {
       for (std::size_t i = 0; i < s.lengths_m.size(); ++i)
@@ -179,7 +180,7 @@ Invariance measure_invariance(const std::vector<Subject>& subjects, const Schedu
     keep(base_case, base, schedule.first_seed);
     const double resolution_m = kResolution * base_case.distance_m();
     for (const Placement& placement : placements()) {
-      if (cli::interrupted()) return out;
+      if (cli::interrupted()) break;
       const PlanCase moved = placed(base_case, placement);
       const Sample lengths = sample(moved, subject, other, placement.scale, progress);
       keep(moved, lengths, other.first_seed);

@@ -128,6 +128,7 @@ Table island_table(const char* experiment, const std::vector<Row>& rows,
   Table table{std::string(experiment) + ": medians (quartiles) over the seeds", {"algorithm"}, {}};
   for (const std::string& metric : metrics) table.columns.push_back(metric);
   for (const std::string& subject : subjects) {
+    if (values_of(rows, subject, experiment, metrics.front()).empty()) continue;
     std::vector<std::string> cells{subject};
     for (const std::string& metric : metrics) {
       const Quartiles q = quartiles_of(values_of(rows, subject, experiment, metric));
