@@ -104,19 +104,23 @@ void add_ring(data::CoverageTask& task, const coverage::Ring& ring, bool is_hole
   for (const Vec2& vertex : ring) task.points.push_back({.x_m = vertex.x(), .y_m = vertex.y()});
 }
 
+void add_part(const coverage::Field& field, coverage::Polygon part, Mission& mission) {
+  data::CoverageTask& task = *mission.task;
+  task.fields.push_back({.field_id = field.id, .height_m = field.height_m});
+  add_ring(task, part.outline, false);
+  for (const coverage::Ring& hole : part.holes) add_ring(task, hole, true);
+  mission.fields.push_back({field.id, field.name, std::move(part), field.height_m});
+}
+
 Status add_fields(const coverage::ScenarioFields& wanted, Mission& mission) {
   data::CoverageTask& task = *mission.task;
   for (const coverage::Field& field : wanted.fields) {
-    auto polygon = coverage::clean(field.polygon);
-    if (!polygon) {
-      mission.refused.push_back("field " + field.name + ": " + polygon.error().message);
+    auto parts = coverage::clean(field.polygon);
+    if (!parts) {
+      mission.refused.push_back("field " + field.name + ": " + parts.error().message);
       continue;
     }
-    mission.fields.push_back(field);
-    mission.fields.back().polygon = std::move(polygon).value();
-    task.fields.push_back({.field_id = field.id, .height_m = field.height_m});
-    add_ring(task, mission.fields.back().polygon.outline, false);
-    for (const coverage::Ring& hole : mission.fields.back().polygon.holes) add_ring(task, hole, true);
+    for (coverage::Polygon& part : *parts) add_part(field, std::move(part), mission);
   }
   if (task.fields.empty()) {
     return bad_input("None of the scenario's fields can be flown; the first: " +
