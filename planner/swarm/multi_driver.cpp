@@ -80,17 +80,18 @@ void MultiEvaluator::operator()(Candidates candidates, Objectives objectives) {
   }
 }
 
-Eigen::Index pick_compromise(const Front& front) {
-  if (front.size() == 0) return -1;
+Eigen::VectorXd distances_to_ideal(const Front& front) {
+  if (front.size() == 0) return {};
   const Eigen::VectorXd ideal = front.objectives.rowwise().minCoeff();
   Eigen::VectorXd extent = front.objectives.rowwise().maxCoeff() - ideal;
   for (double& e : extent) e = e > 0.0 ? e : 1.0;
+  return ((front.objectives.colwise() - ideal).array().colwise() / extent.array()).matrix().colwise().norm();
+}
+
+Eigen::Index pick_compromise(const Front& front) {
+  if (front.size() == 0) return -1;
   Eigen::Index nearest = 0;
-  ((front.objectives.colwise() - ideal).array().colwise() / extent.array())
-      .matrix()
-      .colwise()
-      .squaredNorm()
-      .minCoeff(&nearest);
+  distances_to_ideal(front).minCoeff(&nearest);
   return nearest;
 }
 

@@ -101,7 +101,10 @@ struct MultiReport {
   std::vector<MultiHistoryEntry> history;
 };
 
-/// The rule of MultiReport::compromise.
+/// (size) of each column from the front's ideal point, each objective taken as a share of the front's extent
+/// in it.
+Eigen::VectorXd distances_to_ideal(const Front& front);
+/// The rule of MultiReport::compromise: the least of these distances.
 Eigen::Index pick_compromise(const Front& front);
 
 namespace detail {
