@@ -143,6 +143,24 @@ Json to_json(const planner::PricedReport& priced, const std::string& scenario,
   return out;
 }
 
+Json to_json(const planner::PlannedFront& front) {
+  const auto index = [](const std::optional<std::size_t>& at) { return at ? Json(*at) : Json(nullptr); };
+  Json members = Json::array();
+  for (const planner::FrontMember& member : front.members) {
+    Json objectives = Json::object();
+    for (int k = 0; k < 4; ++k) objectives[fmt::format("F{}", k + 1)] = member.objectives[k];
+    Json places = Json::array();
+    for (const Vec3& point : member.polyline) places.push_back(to_json(point));
+    members.push_back({{"objectives", std::move(objectives)},
+                       {"waypoints_m", std::move(places)},
+                       {"certified", member.certified}});
+  }
+  return {{"front", std::move(members)},
+          {"hypervolume", front.hypervolume},
+          {"picked", index(front.picked)},
+          {"flown", index(front.flown)}};
+}
+
 Result<planner::TimedPath> parse_plan(const std::string& text, const std::string& file) {
   const Json json = Json::parse(text, nullptr, false);
   if (json.is_discarded()) return bad_input(file + ": must be JSON.");
@@ -175,6 +193,22 @@ std::string path_csv(const planner::TimedPath& path) {
   for (const auto& w : path) {
     out += fmt::format("{},{},{},{},{},{}\n", w.time_s, w.position_m.x(), w.position_m.y(), w.position_m.z(),
                        name(w.phase), w.leg_index);
+  }
+  return out;
+}
+
+std::string front_csv(const planner::PlannedFront& front) {
+  std::string out = "index,F1,F2,F3,F4,certified,picked,flown,waypoints_m\n";
+  for (std::size_t i = 0; i < front.members.size(); ++i) {
+    const planner::FrontMember& member = front.members[i];
+    const Eigen::Vector4d& f = member.objectives;
+    out += fmt::format("{},{},{},{},{},{:d},{:d},{:d},", i, f[0], f[1], f[2], f[3], member.certified,
+                       front.picked == i, front.flown == i);
+    for (std::size_t k = 0; k < member.polyline.size(); ++k) {
+      const Vec3& p = member.polyline[k];
+      out += fmt::format("{}{} {} {}", k > 0 ? ";" : "", p.x(), p.y(), p.z());
+    }
+    out += "\n";
   }
   return out;
 }

@@ -10,7 +10,7 @@
 #include <fmt/core.h>
 
 #include "planner/base/clock.hpp"
-#include "planner/replan/preset_plan.hpp"
+#include "planner/replan/front_plan.hpp"
 #include "tools/cli/commands.hpp"
 #include "tools/cli/input.hpp"
 #include "tools/cli/output.hpp"
@@ -52,6 +52,10 @@ Status take_params(PlanOptions& options) {
   return {};
 }
 
+const std::string& algorithm_of(const PlanOptions& options, const planner::Scenario& scenario) {
+  return options.algorithm.empty() ? scenario.planning.algorithm : options.algorithm;
+}
+
 planner::CostSpec cost_of(const PlanOptions& options, const planner::Scenario& scenario) {
   const planner::PlanningSpec& planning = scenario.planning;
   planner::CostSpec cost;
@@ -65,6 +69,9 @@ planner::CostSpec cost_of(const PlanOptions& options, const planner::Scenario& s
       cost.weights.clear();
     }
     cost.preset = options.cost;
+  } else if (cost.preset == "default" && cost.weights.empty() &&
+             planner::returns_front(algorithm_of(options, scenario))) {
+    cost.preset = "NMOPSO";
   }
   if (planning.altitude_m) cost.altitude = {planning.altitude_m->x(), planning.altitude_m->y()};
   const planner::EnergyRates& rates = scenario.vehicle.energy;
@@ -80,7 +87,7 @@ planner::PricedRequest request_of(const PlanOptions& options, const planner::Sce
   plan.start_m = *scenario.start_m;
   plan.goal_m = *scenario.goal_m;
   plan.limits = scenario.vehicle.limits;
-  plan.params.algorithm = options.algorithm.empty() ? scenario.planning.algorithm : options.algorithm;
+  plan.params.algorithm = algorithm_of(options, scenario);
   plan.params.waypoints = options.chosen.midpoints.value_or(scenario.planning.waypoints);
   plan.params.settings = options.chosen.settings;
   plan.seed = options.common.seed + static_cast<std::uint64_t>(run);
@@ -101,12 +108,13 @@ StopCondition stop_of(const PlanOptions& options, const Clock& clock) {
 struct Run {
   planner::PricedRequest request;
   planner::PricedReport report;
+  std::optional<planner::PlannedFront> front;
 };
 
 /// All runs, over as many threads as asked for; each depends on its seed alone. Ends early when interrupted.
 Result<std::vector<Run>> run_all(const PlanOptions& options, const Scene& scene, Progress& progress) {
   const SteadyClock clock;
-  std::vector<std::optional<Result<planner::PricedReport>>> reports(static_cast<std::size_t>(options.runs));
+  std::vector<std::optional<Result<planner::FrontReport>>> reports(static_cast<std::size_t>(options.runs));
   std::atomic<int> next{0};
   const auto work = [&] {
     for (int run = next++; run < options.runs && !interrupted(); run = next++) {
@@ -114,7 +122,7 @@ Result<std::vector<Run>> run_all(const PlanOptions& options, const Scene& scene,
         progress.update(fmt::format("run {}: {:.3f} m after {} evaluations", run + 1, now.best_length_m,
                                     now.evaluations));
       };
-      reports[static_cast<std::size_t>(run)] = planner::plan_with_cost(
+      reports[static_cast<std::size_t>(run)] = planner::plan_with_front(
           scene.world, request_of(options, scene.scenario, run), stop_of(options, clock), &clock, observe);
     }
   };
@@ -128,7 +136,8 @@ Result<std::vector<Run>> run_all(const PlanOptions& options, const Scene& scene,
     auto& report = reports[static_cast<std::size_t>(run)];
     if (!report) continue;
     if (!*report) return report->error();
-    runs.push_back({request_of(options, scene.scenario, run), std::move(report->value())});
+    planner::FrontReport& done = report->value();
+    runs.push_back({request_of(options, scene.scenario, run), std::move(done.priced), std::move(done.front)});
   }
   if (runs.empty()) return Error{Error::Code::kInterrupted, "Interrupted before the first run."};
   return runs;
@@ -150,21 +159,30 @@ const Run& best_of(const std::vector<Run>& runs) {
   });
 }
 
+nlohmann::ordered_json run_json(const Run& run, const planner::Scenario& scenario) {
+  nlohmann::ordered_json json = to_json(run.report, scenario.name, run.request);
+  if (run.front) json.update(to_json(*run.front));
+  return json;
+}
+
 nlohmann::ordered_json statistics_json(const std::vector<Run>& runs) {
-  std::vector<double> length_m, cost, wall_ms, first_ms;
+  std::vector<double> length_m, cost, wall_ms, first_ms, hypervolume;
   for (const Run& run : runs) {
+    if (run.front) hypervolume.push_back(run.front->hypervolume);
     wall_ms.push_back(run.report.plan.wall_ms);
     if (!is_certified(run)) continue;
     length_m.push_back(run.report.plan.length_m);
     cost.push_back(run.report.plan.cost);
     first_ms.push_back(run.report.plan.first_certified_ms);
   }
-  return {{"runs", runs.size()},
-          {"certified", length_m.size()},
-          {"length_m", spread_json(length_m)},
-          {"cost", spread_json(cost)},
-          {"wall_ms", spread_json(wall_ms)},
-          {"first_certified_ms", spread_json(first_ms)}};
+  nlohmann::ordered_json out = {{"runs", runs.size()},
+                                {"certified", length_m.size()},
+                                {"length_m", spread_json(length_m)},
+                                {"cost", spread_json(cost)},
+                                {"wall_ms", spread_json(wall_ms)},
+                                {"first_certified_ms", spread_json(first_ms)}};
+  if (!hypervolume.empty()) out["hypervolume"] = spread_json(hypervolume);
+  return out;
 }
 
 std::string cost_line(const Run& run) {
@@ -178,6 +196,21 @@ std::string cost_line(const Run& run) {
   return out + (is_certified(run) ? "\n" : ", not certified\n");
 }
 
+std::string front_lines(const Run& run) {
+  if (!run.front) return {};
+  const planner::PlannedFront& front = *run.front;
+  const auto certified = std::ranges::count_if(front.members, &planner::FrontMember::certified);
+  std::string out = fmt::format("  front            {} paths, {} certified; hypervolume {:.4f}\n",
+                                front.members.size(), certified, front.hypervolume);
+  if (front.picked) {
+    const planner::FrontMember& member = front.members[*front.picked];
+    const Eigen::Vector4d& f = member.objectives;
+    out += fmt::format("  picked           {}: F1 {:.4f}, F2 {:.4f}, F3 {:.4f}, F4 {:.4f}{}\n", *front.picked,
+                       f[0], f[1], f[2], f[3], member.certified ? "" : ", not certified");
+  }
+  return out;
+}
+
 std::string table_of(const planner::Scenario& scenario, const std::vector<Run>& runs) {
   const Run& best = best_of(runs);
   const planner::PlanReport& report = best.report.plan;
@@ -188,7 +221,7 @@ std::string table_of(const planner::Scenario& scenario, const std::vector<Run>& 
     out += fmt::format("  length           {:.3f} m in {:.1f} s\n  least clearance  {:.3f} m\n",
                        report.length_m, report.duration_s, report.certificate.clearance_min_m);
   }
-  out += cost_line(best);
+  out += cost_line(best) + front_lines(best);
   out += fmt::format("  evaluations      {} in {:.2f} ms, first certified after {:.2f} ms\n",
                      report.evaluations, report.wall_ms, report.first_certified_ms);
   if (runs.size() > 1) {
@@ -216,15 +249,16 @@ Answer answer_of(const PlanOptions& options, const planner::Scenario& scenario,
                  const std::vector<Run>& runs) {
   const Run& best = best_of(runs);
   Answer answer;
-  answer.json = to_json(best.report, scenario.name, best.request);
+  answer.json = run_json(best, scenario);
   if (options.runs > 1) {
     answer.json["runs"] = nlohmann::ordered_json::array();
-    for (const Run& run : runs)
-      answer.json["runs"].push_back(to_json(run.report, scenario.name, run.request));
+    for (const Run& run : runs) answer.json["runs"].push_back(run_json(run, scenario));
     answer.json["statistics"] = statistics_json(runs);
   }
   answer.table = table_of(scenario, runs);
-  answer.files[".csv"] = [path = best.report.plan.path] { return path_csv(path); };
+  answer.files[".csv"] = [path = best.report.plan.path, front = best.front] {
+    return front ? front_csv(*front) : path_csv(path);
+  };
   answer.files[".geojson"] = [path = best.report.plan.path, origin = scenario.origin] {
     return path_geojson(path, origin);
   };
@@ -259,7 +293,8 @@ void add_plan(CLI::App& app, Exit& exit) {
   command->add_option("--algorithm", options->algorithm, "Optimiser, instead of the scenario's");
   command->add_option(
       "--cost", options->cost,
-      "What to minimise, instead of the scenario's: default, BOA, PSO, IBABC, NMOPSO or SPSO");
+      "What to minimise, instead of the scenario's: default, BOA, PSO, IBABC, NMOPSO or SPSO; NMOPSO where "
+      "nobody names one and the algorithm returns a front");
   command
       ->add_option("--budget-ms", options->budget_ms,
                    "Stop after so many milliseconds with the best path so far")
@@ -275,13 +310,15 @@ void add_plan(CLI::App& app, Exit& exit) {
   command->add_option("--params", options->params_file, "Parameters as `tune -o` writes them (.json)");
   command->add_option("--set", options->settings, "A parameter of the optimiser, key=value; may be repeated")
       ->allow_extra_args(false);
-  add_common(*command, options->common,
-             "  swallowtail plan tests/data/missions/ten_spheres.yaml\n"
-             "  swallowtail plan ten_spheres.yaml --budget-ms 20 --json\n"
-             "  swallowtail plan ten_spheres.yaml --algorithm pso-seed --cost PSO --iterations 50\n"
-             "  swallowtail plan ten_spheres.yaml --params tuned.json --set population=40\n"
-             "  swallowtail plan ten_spheres.yaml --runs 30 --threads 2 -o plan.json\n"
-             "  -o writes .json (what `check --plan` reads), .csv or .geojson");
+  add_common(
+      *command, options->common,
+      "  swallowtail plan tests/data/missions/ten_spheres.yaml\n"
+      "  swallowtail plan ten_spheres.yaml --budget-ms 20 --json\n"
+      "  swallowtail plan ten_spheres.yaml --algorithm pso-seed --cost PSO --iterations 50\n"
+      "  swallowtail plan ten_spheres.yaml --params tuned.json --set population=40\n"
+      "  swallowtail plan hills.yaml --algorithm nmopso --cost NMOPSO -o front.csv\n"
+      "  swallowtail plan ten_spheres.yaml --runs 30 --threads 2 -o plan.json\n"
+      "  -o writes .json (what `check --plan` reads), .csv (the front, where there is one) or .geojson");
   command->callback([options, &exit] {
     const Status status = take_params(*options);
     exit = status.ok() ? run_plan(*options) : fail(status.error());
