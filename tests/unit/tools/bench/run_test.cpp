@@ -19,7 +19,7 @@ PlanCase five_spheres() {
 Subject drawn(const std::string& name, std::vector<Vec3> middle) {
   return {name, "planner", [middle](const PlanCase& c, std::uint64_t seed, const RunLimit&) {
             std::vector<Vec3> path{c.start_m};
-            for (const Vec3& p : middle) path.push_back(p + Vec3(0, 0, 0.01 * static_cast<double>(seed)));
+            for (const Vec3& p : middle) path.push_back(p + Vec3(0, 0.01 * static_cast<double>(seed), 0));
             path.push_back(c.goal_m);
             PlanRun run;
             run.path_m = path;

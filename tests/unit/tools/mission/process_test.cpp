@@ -25,7 +25,7 @@ std::string first_line(Process& process) {
 }
 
 TEST(Process, GivesLinesAndExitCode) {
-  Process process = shell("echo one; echo oops >&2; exit 3");
+  Process process = shell("trap '' INT; echo one; echo oops >&2; exit 3");
   EXPECT_EQ(first_line(process), "one");
   EXPECT_EQ(process.stop(5.0), 3);
   EXPECT_EQ(process.last_errors(), "oops\n");
