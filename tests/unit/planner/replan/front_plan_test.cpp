@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -159,6 +160,33 @@ TEST(FrontPlan, ThePlanIsThePickedMemberOrTheNearestCertifiedOne) {
     EXPECT_EQ(report.priced.terms.terms.size(), 4u);
   }
   EXPECT_GE(flown, 4);
+}
+
+TEST(FrontPlan, AMemberOutOfBoundsIsNotCertified) {
+  int certified = 0;
+  int refused = 0;
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    Scene scene = random_scene(seed);
+    const PlanRequest& plan = scene.request.plan;
+    const double ceiling_m = std::max(plan.start_m.z(), plan.goal_m.z()) + 3.0;
+    const auto towers = scene.world->obstacles();
+    scene.world = World::make(scene.world->terrain(), {towers.begin(), towers.end()},
+                              {Vec3(0, 0, -10), Vec3(600, 600, ceiling_m)})
+                      .value();
+    const FrontReport report = planned(scene, 1'000);
+    if (!report.front) continue;
+    for (const FrontMember& member : report.front->members) {
+      bool above = false;
+      for (const Vec3& p : member.polyline) above = above || p.z() > ceiling_m;
+      EXPECT_FALSE(member.certified && above) << seed;
+      ++(member.certified ? certified : refused);
+    }
+    const std::optional<std::size_t> flown = report.front->flown;
+    EXPECT_EQ(flown.has_value(), report.priced.plan.status == PlanStatus::kCertified);
+    EXPECT_TRUE(!flown || report.front->members[*flown].certified) << seed;
+  }
+  EXPECT_GT(certified, 0);
+  EXPECT_GT(refused, 0);
 }
 
 TEST(FrontPlan, SameSeedSameFront) {
