@@ -101,6 +101,24 @@ TEST(RealData, PathOverChristmasIslandIsCertified) {
       test::run({"check", folder.file("spso.yaml"), "--plan", folder.file("plan.json"), "-q"}).exit_code, 0);
 }
 
+TEST(RealData, FrontOverChristmasIslandCoversTheObjectives) {
+  const fs::path file = data_folder() / "terrain/scenarios/nmopso_sc6.txt";
+  SKIP_WITHOUT(file);
+  const test::ScratchFolder folder;
+  const test::Outcome plan =
+      test::run({"plan", file.string(), "--algorithm", "nmopso", "--json", "-o", folder.file("front.csv")});
+  ASSERT_EQ(plan.exit_code, 0) << plan.err << plan.out.substr(0, 500);
+  const json answer = json::parse(plan.out);
+  EXPECT_GE(answer["hypervolume"].get<double>(), 0.91);
+  const json& flown = answer["front"][answer["flown"].get<std::size_t>()];
+  EXPECT_EQ(flown["certified"], true);
+  EXPECT_EQ(flown["waypoints_m"].size(), 12u);
+  std::ifstream csv(folder.file("front.csv"));
+  std::size_t lines = 0;
+  for (std::string line; std::getline(csv, line);) ++lines;
+  EXPECT_EQ(lines, answer["front"].size() + 1);
+}
+
 struct FieldsCase {
   const char* file;
   std::vector<std::string> options;
@@ -135,11 +153,11 @@ TEST_P(RealFields, AreCoveredOrRefusedWithAReason) {
 
 INSTANTIATE_TEST_SUITE_P(Files, RealFields,
                          ::testing::Values(FieldsCase{"nl.geojson", {"--sensor-width", "20"}, 100},
-                                         FieldsCase{"jecam.geojson", {"--sensor-width", "20"}, 100},
-                                         FieldsCase{"fields2cover.geojson", {"--sensor-width", "20"}, 3},
-                                         FieldsCase{"holes_alenex24.local.geojson",
-                                                    {"--sensor-width", "4", "--mission", "each"},
-                                                    10}));
+                                           FieldsCase{"jecam.geojson", {"--sensor-width", "20"}, 100},
+                                           FieldsCase{"fields2cover.geojson", {"--sensor-width", "20"}, 3},
+                                           FieldsCase{"holes_alenex24.local.geojson",
+                                                      {"--sensor-width", "4", "--mission", "each"},
+                                                      10}));
 
 }  // namespace
 }  // namespace swallowtail
