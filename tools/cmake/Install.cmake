@@ -6,7 +6,11 @@ foreach(library ${SWALLOWTAIL_LIBRARIES})
   install(TARGETS swallowtail_${library} EXPORT swallowtail-targets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 endforeach()
 install(DIRECTORY planner coverage DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/swallowtail
-        FILES_MATCHING PATTERN "*.hpp" PATTERN "participant" EXCLUDE PATTERN "detail" EXCLUDE)
+        FILES_MATCHING PATTERN "*.hpp" PATTERN "participant" EXCLUDE PATTERN "detail" EXCLUDE
+        PATTERN "gtsp/search" EXCLUDE PATTERN "gtsp/proof" EXCLUDE)
+# What the kernels' headers hold by value.
+install(DIRECTORY planner/kernels/detail DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/swallowtail/planner/kernels
+        FILES_MATCHING PATTERN "*.hpp")
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/swallowtail)
 install(EXPORT swallowtail-targets NAMESPACE swallowtail:: DESTINATION ${package_folder})
 configure_package_config_file(tools/cmake/swallowtail-config.cmake.in ${CMAKE_BINARY_DIR}/swallowtail-config.cmake
