@@ -3,10 +3,10 @@
 #include <limits>
 #include <string>
 
+#include "tools/drawing/svg.hpp"
 #include "tools/mission/report/chart.hpp"
 #include "tools/mission/report/html.hpp"
 #include "tools/mission/report/map.hpp"
-#include "tools/drawing/svg.hpp"
 
 namespace swallowtail::report {
 namespace {
