@@ -116,19 +116,23 @@ struct Setup {
   ob::ProblemDefinitionPtr problem;
 };
 
+/// From start to goal through `inner`, which may hold the ends already.
+std::vector<Vec3> with_ends(std::vector<Vec3> inner, const PlanCase& plan_case) {
+  const auto at = [](const Vec3& a, const Vec3& b) { return (a - b).norm() < 1e-9; };
+  if (inner.empty() || !at(inner.front(), plan_case.start_m)) inner.insert(inner.begin(), plan_case.start_m);
+  if (!at(inner.back(), plan_case.goal_m)) inner.push_back(plan_case.goal_m);
+  return inner;
+}
+
 /// States of an intermediate solution come from goal to start or the other way round, with or without ends,
-/// by planner.
+/// by planner: the shorter reading is the path.
 std::vector<Vec3> polyline_of(const std::vector<const ob::State*>& states, const PlanCase& plan_case) {
   std::vector<Vec3> points;
   for (const ob::State* state : states) points.push_back(place_of(state));
-  const auto at = [](const Vec3& a, const Vec3& b) { return (a - b).norm() < 1e-9; };
-  const bool backwards =
-      !points.empty() && (at(points.front(), plan_case.goal_m) || at(points.back(), plan_case.start_m));
-  if (backwards) std::ranges::reverse(points);
-  if (points.empty() || !at(points.front(), plan_case.start_m))
-    points.insert(points.begin(), plan_case.start_m);
-  if (!at(points.back(), plan_case.goal_m)) points.push_back(plan_case.goal_m);
-  return points;
+  std::vector<Vec3> forwards = with_ends(points, plan_case);
+  std::ranges::reverse(points);
+  std::vector<Vec3> backwards = with_ends(std::move(points), plan_case);
+  return length_of(backwards) < length_of(forwards) ? backwards : forwards;
 }
 
 void offer_solution(const Setup& setup, Recorder& recorder) {
