@@ -113,6 +113,12 @@ void add_part(const coverage::Field& field, coverage::Polygon part, Mission& mis
 }
 
 Status add_fields(const coverage::ScenarioFields& wanted, Mission& mission) {
+  if (!wanted.no_fly.empty()) {
+    return bad_input(
+        "The scenario's field file has " + std::to_string(wanted.no_fly.size()) +
+        " no-fly areas, and the wire does not carry them: a mission would fly over them. Plan with "
+        "`swallowtail cover`, or make them obstacles.");
+  }
   data::CoverageTask& task = *mission.task;
   for (const coverage::Field& field : wanted.fields) {
     auto parts = coverage::clean(field.polygon);

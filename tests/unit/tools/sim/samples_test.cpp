@@ -121,5 +121,17 @@ TEST(Mission, SaysWhyNoFieldCanBeFlown) {
   EXPECT_NE(mission.error().message.find("bow tie"), std::string::npos);
 }
 
+TEST(Mission, RefusesNoFlyAreasThatTheWireDoesNotCarry) {
+  auto scenario = scenario_with();
+  std::ofstream(scenario.coverage->fields_file)
+      << R"({"type":"FeatureCollection","features":[{"type":"Feature","properties":{"id":"field","crs":"local metres"},
+"geometry":{"type":"Polygon","coordinates":[[[0,0],[100,0],[100,100],[0,100],[0,0]]]}},
+{"type":"Feature","properties":{"id":"pond","no_fly":"true","crs":"local metres"},
+"geometry":{"type":"Polygon","coordinates":[[[40,40],[60,40],[60,60],[40,60],[40,40]]]}}]})";
+  const auto mission = make_mission(scenario, planner::Terrain::flat(0.0), 1);
+  ASSERT_FALSE(mission.ok());
+  EXPECT_NE(mission.error().message.find("1 no-fly areas"), std::string::npos) << mission.error().message;
+}
+
 }  // namespace
 }  // namespace swallowtail::sim
