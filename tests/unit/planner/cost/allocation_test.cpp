@@ -1,33 +1,8 @@
 #include <gtest/gtest.h>
 
-#include <atomic>
-#include <cstdlib>
-
 #include "planner/base/rng.hpp"
 #include "planner/cost/path_problem.hpp"
-
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__) || !defined(__GLIBC__)
-#define SWALLOWTAIL_COUNTS_ALLOCATIONS 0
-#else
-#define SWALLOWTAIL_COUNTS_ALLOCATIONS 1
-#endif
-
-namespace {
-std::atomic<std::uint64_t> allocations{0};
-}
-
-#if SWALLOWTAIL_COUNTS_ALLOCATIONS
-extern "C" void* __libc_malloc(std::size_t);
-extern "C" void* __libc_memalign(std::size_t, std::size_t);
-extern "C" void* malloc(std::size_t size) noexcept {
-  allocations.fetch_add(1, std::memory_order_relaxed);
-  return __libc_malloc(size);
-}
-extern "C" void* aligned_alloc(std::size_t alignment, std::size_t size) noexcept {
-  allocations.fetch_add(1, std::memory_order_relaxed);
-  return __libc_memalign(alignment, size);
-}
-#endif
+#include "tests/support/allocations.hpp"
 
 namespace swallowtail::planner {
 namespace {
@@ -61,10 +36,11 @@ TEST(CostAllocation, EvaluationTakesNoMemory) {
     }
     Eigen::VectorXd costs(50);
     posed.evaluate(candidates, costs);  // this thread's first
-    const std::uint64_t before = allocations.load();
+    const std::uint64_t before = test::allocations();
     ASSERT_GT(before, 0u) << "the counter must count";
     for (int i = 0; i < 5; ++i) posed.evaluate(candidates, costs);
-    EXPECT_EQ(allocations.load(), before) << preset;
+    EXPECT_GT(before, 0U);
+    EXPECT_EQ(test::allocations(), before) << preset;
   }
 }
 

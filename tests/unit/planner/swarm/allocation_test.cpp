@@ -1,28 +1,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <atomic>
-#include <cstdlib>
 
 #include "planner/swarm/registry.hpp"
-
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__) || !defined(__GLIBC__)
-#define SWALLOWTAIL_COUNTS_ALLOCATIONS 0
-#else
-#define SWALLOWTAIL_COUNTS_ALLOCATIONS 1
-#endif
-
-namespace {
-std::atomic<std::uint64_t> allocations{0};
-}
-
-#if SWALLOWTAIL_COUNTS_ALLOCATIONS
-extern "C" void* __libc_malloc(std::size_t);
-extern "C" void* malloc(std::size_t size) noexcept {
-  allocations.fetch_add(1, std::memory_order_relaxed);
-  return __libc_malloc(size);
-}
-#endif
+#include "tests/support/allocations.hpp"
 
 namespace swallowtail::swarm {
 namespace {
@@ -45,8 +26,8 @@ TEST_P(StepAllocation, AStepTakesNoMemory) {
   options.keep_history = false;
   options.stop.max_iterations = 200;
   options.observer = [&](const Progress& progress) {
-    if (progress.iterations == 0) before = allocations.load();
-    after = allocations.load();
+    if (progress.iterations == 0) before = test::allocations();
+    after = test::allocations();
     return Advice::kContinue;
   };
   ASSERT_TRUE(optimize(*params_by_name(GetParam()), problem, options).ok());
