@@ -1,6 +1,7 @@
 #include "tools/cli/common.hpp"
 
 #include <csignal>
+#include <exception>
 
 #include <fmt/core.h>
 
@@ -26,6 +27,25 @@ void add_common(CLI::App& command, Common& common, const std::string& examples) 
                      "Also write the answer to this file; its extension chooses the format");
   command.add_flag("-q,--quiet", common.quiet, "No table and no progress");
   command.footer("Examples:\n" + examples + "\n" + kExitCodesHelp);
+}
+
+void prepare(CLI::App& app) {
+  app.require_subcommand(1);
+  app.set_version_flag("--version", SWALLOWTAIL_VERSION);
+  app.footer(kExitCodesHelp);
+}
+
+int run(CLI::App& app, const Exit& exit, int argc, char** argv) {
+  watch_signals();
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : static_cast<int>(Exit::kUsage);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "{}: internal error: {}\n", app.get_name(), error.what());
+    return static_cast<int>(Exit::kInternal);
+  }
+  return static_cast<int>(exit);
 }
 
 void watch_signals() {

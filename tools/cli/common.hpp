@@ -23,6 +23,13 @@ struct Common {
 /// Adds the options and `examples` with the exit codes below the help text.
 void add_common(CLI::App& command, Common& common, const std::string& examples);
 
+/// What a program's commands inherit: call it before they are added.
+void prepare(CLI::App& app);
+
+/// Parses the program's command line, which runs the command named; `exit` is where that leaves its code.
+/// Gives the process's exit code: usage errors and what is thrown have theirs.
+int run(CLI::App& app, const Exit& exit, int argc, char** argv);
+
 /// Set by SIGINT and SIGTERM once watch_signals was called. A second signal ends the process at once.
 void watch_signals();
 const std::atomic<bool>& interrupted();
