@@ -44,7 +44,9 @@ class OrderSearch {
 
  private:
   double now() const { return options_.clock != nullptr ? options_.clock->now_s() : 0.0; }
+  std::vector<RouteLeg> route_of(const std::vector<Visit>& visits) const;
   void offer(const char* from, std::vector<Visit> visits);
+  bool needs_recharge();
   void solve_graph(int levels, const char* from);
   gtsp::Solution solve(const LayeredGraph& graph, bool warm) const;
   void compare_with_full_graph(const GraphParams& params);
@@ -62,16 +64,27 @@ class OrderSearch {
   double best_end_s_ = std::numeric_limits<double>::infinity();
 };
 
-void OrderSearch::offer(const char* from, std::vector<Visit> visits) {
+std::vector<RouteLeg> OrderSearch::route_of(const std::vector<Visit>& visits) const {
   std::vector<RouteLeg> route;
   for (const Visit& visit : visits) route.push_back(route_leg(cells_[visit.sub_cell], visit));
-  const double end = stops_.end_of(route, start_);
+  return route;
+}
+
+void OrderSearch::offer(const char* from, std::vector<Visit> visits) {
+  const double end = stops_.end_of(route_of(visits), start_);
   ++statistics_.schedules_computed;
   if (end < best_end_s_) {
     best_end_s_ = end;
     best_ = std::move(visits);
     statistics_.order_from = from;
   }
+}
+
+/// Where one battery does for the best order so far, levels say nothing that the graph without them does not.
+bool OrderSearch::needs_recharge() {
+  if (best_.empty()) return true;
+  const std::optional<StopPlan> plan = stops_.plan(route_of(best_), start_);
+  return !plan || !plan->recharges.empty();
 }
 
 StopCondition OrderSearch::part_of_deadline(double share) const {
@@ -92,6 +105,7 @@ gtsp::Solution OrderSearch::solve(const LayeredGraph& graph, bool warm) const {
   options.stop = part_of_deadline(0.5);
   options.stop.max_iterations = std::min(options.stop.max_iterations, budget_.iterations);
   options.threads = options_.threads;
+  options.bound_effort = 0.0;
   if (warm && !best_.empty()) options.warm_tour = graph.encode(best_);
   return gtsp::solve(graph.instance(), options);
 }
@@ -132,9 +146,11 @@ Result<Order> OrderSearch::run() {
   const int n = static_cast<int>(cells_.size());
   offer("strip order", boustrophedon_order(cells_, start_.position_m));
   if (1 + 2 * n <= budget_.plain_vertices) solve_graph(1, "graph without levels");
-  if (1 + 2 * n * task_.battery.levels <= budget_.layered_vertices && task_.battery.levels > 1) {
+  const bool compares = options_.full_graph == FullGraph::kCompare;
+  if (1 + 2 * n * task_.battery.levels <= budget_.layered_vertices && task_.battery.levels > 1 &&
+      (compares || needs_recharge())) {
     solve_graph(task_.battery.levels, "layered graph");
-    if (options_.full_graph == FullGraph::kCompare) {
+    if (compares) {
       compare_with_full_graph(
           {stop_params(task_, options_), task_.height_band_m, task_.neighbours, task_.battery.levels});
     }
