@@ -41,6 +41,11 @@ Vec3 place(const Site& site, std::span<const RouteLeg> route, const FlightModel&
   return model.ground(site.kind == Site::Kind::kExit ? leg.exit_m : leg.entry_m);
 }
 
+std::vector<Vec3> bends(const FlightModel& model, const Vec3& from, const Vec3& to) {
+  const std::vector<Vec3> way = model.way(from, to);
+  return {way.begin() + 1, way.end() - 1};
+}
+
 }  // namespace
 
 Expansion expand(std::span<const SubCell> sub_cells, std::span<const Visit> visits,
@@ -93,9 +98,18 @@ Expansion expand(std::span<const SubCell> sub_cells, std::span<const Visit> visi
   }
   if (!out.legs.empty()) out.legs.back().transfer = Transfer::kEnd;
   for (std::size_t i = 0; i + 1 < out.legs.size(); ++i) {
-    if (out.legs[i].transfer == Transfer::kFDTU) continue;
-    const std::vector<Vec3> way = links.model().way(out.legs[i].exit_m, out.legs[i + 1].entry_m);
-    out.legs[i].transfer_m.assign(way.begin() + 1, way.end() - 1);
+    const Transfer transfer = out.legs[i].transfer;
+    if (transfer == Transfer::kFDTU) continue;
+    const Vec3& to = out.legs[i + 1].entry_m;
+    Vec3 from = out.legs[i].exit_m;
+    if (transfer == Transfer::kFDUF || transfer == Transfer::kFDUFDU) from.z() = to.z();
+    out.legs[i].transfer_m = bends(links.model(), from, to);
+  }
+  if (!out.legs.empty()) {
+    const Vec3& to = out.legs.front().entry_m;
+    Vec3 from = start.position_m;
+    if (start.kind != StartKind::kAir) from.z() = to.z();
+    out.approach_m = bends(links.model(), from, to);
   }
   return out;
 }

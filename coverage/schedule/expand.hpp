@@ -10,6 +10,7 @@
 namespace swallowtail::coverage {
 
 struct Expansion {
+  std::vector<Vec3> approach_m;
   std::vector<Leg> legs;
   std::vector<Rendezvous> rendezvous;
 };

@@ -165,6 +165,7 @@ Result<Plan> plan_coverage(const Task& task, const planner::Terrain& terrain, co
   const std::optional<StopPlan> schedule = stops.plan(route, start);
   if (!schedule) return internal_error("The order found cannot be scheduled.");
   Expansion expansion = expand(plan.sub_cells, order->visits, start, *schedule, links, 0);
+  plan.approach_m = std::move(expansion.approach_m);
   plan.legs = std::move(expansion.legs);
   plan.rendezvous = std::move(expansion.rendezvous);
   add_totals(*schedule, start, plan);

@@ -23,8 +23,9 @@ struct Leg {
   double height_m = 0.0;  ///< above ground, as asked
   double width_m = 0.0;   ///< of the swath
   Transfer transfer = Transfer::kEnd;
-  /// Where a flown transfer (F-F, F-FDU, F-DUF, F-DUFDU) bends on its way to the next leg, in order; empty
-  /// when it is straight.
+  /// Where a flown transfer (F-F, F-FDU, F-DUF, F-DUFDU) bends on its way to the next leg, in order, at its
+  /// altitude; empty when it is straight. After a landing at the exit it is flown no higher than the next leg
+  /// and the ground ask for.
   std::vector<Vec3> transfer_m{};
   double energy_before = 0.0;
   double energy_after = 0.0;
@@ -88,6 +89,7 @@ struct Plan {
   PlanStatus status = PlanStatus::kComplete;
   std::vector<FieldReport> fields;
   std::vector<SubCell> sub_cells;
+  std::vector<Vec3> approach_m;  ///< where the flight from the start to the first leg bends, in order
   std::vector<Leg> legs;
   std::vector<Rendezvous> rendezvous;
   double cost = 0.0;        ///< what was minimised: the makespan

@@ -1,0 +1,93 @@
+#include "tests/property/coverage/replay_task.hpp"
+
+#include <vector>
+
+#include "planner/base/clock.hpp"
+#include "planner/base/rng.hpp"
+#include "tests/property/coverage/random_task.hpp"
+
+namespace swallowtail::coverage::test {
+namespace {
+
+planner::Terrain random_terrain(Rng& rng) {
+  if (rng.uniform() < 0.5) return planner::Terrain::flat(rng.uniform(-10.0, 200.0));
+  std::vector<planner::Mountain> hills;
+  const int count = 1 + static_cast<int>(rng.below(4));
+  for (int i = 0; i < count; ++i) {
+    hills.push_back({rng.uniform(-150.0, 350.0), rng.uniform(-150.0, 150.0), rng.uniform(2.0, 25.0),
+                     rng.uniform(2000.0, 20000.0)});
+  }
+  return *planner::mountains_terrain(hills, Vec2(-200.0, -200.0), Vec2(400.0, 200.0), 5.0);
+}
+
+void add_no_fly(Rng& rng, Task& task) {
+  const Vec2 centre(rng.uniform(-100.0, 250.0), rng.uniform(-80.0, 80.0));
+  const double half = rng.uniform(5.0, 20.0);
+  task.no_fly.push_back({{centre + Vec2(-half, -half), centre + Vec2(half, -half), centre + Vec2(half, half),
+                          centre + Vec2(-half, half)},
+                         {}});
+}
+
+}  // namespace
+
+ReplayTask random_replay_task(std::uint64_t seed) {
+  Rng rng(seed);
+  ReplayTask out;
+  out.terrain = random_terrain(rng);
+  Task& task = out.task;
+  const int fields = 1 + static_cast<int>(rng.below(2));
+  for (int f = 0; f < fields; ++f) {
+    const Vec2 centre(160.0 * f + rng.uniform(-20.0, 20.0), rng.uniform(-30.0, 30.0));
+    task.fields.push_back({static_cast<std::uint32_t>(f + 1), "random",
+                           random_polygon(rng, centre, rng.uniform(20.0, 50.0)), rng.uniform(8.0, 40.0)});
+  }
+  if (rng.uniform() < 0.3) add_no_fly(rng, task);
+  task.sensor_width_m = rng.uniform(9.0, 20.0);
+  task.height_tolerance_m = rng.uniform(1.0, 4.0);
+  task.vehicle.cruise_speed_mps = rng.uniform(4.0, 12.0);
+  task.vehicle.climb_speed_mps = rng.uniform(1.0, 5.0);
+  task.vehicle.descent_speed_mps = rng.uniform(1.0, 5.0);
+  task.vehicle.turn_max_rad = rng.uniform(0.3, 2.0);
+  task.battery.capacity = rng.uniform(60.0, 200.0);
+  task.battery.reserve = rng.uniform(2.0, 10.0);
+  task.battery.levels = rng.uniform() < 0.05 ? 10 : 1 + static_cast<int>(rng.below(4));
+  task.battery.charge_s_per_unit = rng.uniform(0.2, 3.0);
+  task.battery.model = {rng.uniform(0.5, 1.2), rng.uniform(0.7, 1.5), rng.uniform(0.3, 1.2),
+                        rng.uniform(0.5, 1.2), rng.uniform() < 0.5 ? 0.0 : rng.uniform(0.0, 0.02)};
+  task.charger.speed_mps = rng.uniform(0.8, 4.0);
+  task.charger.take_off_s = rng.uniform(0.0, 8.0);
+  task.charger.landing_s = rng.uniform(0.0, 8.0);
+  task.charger.start_m = Vec3(rng.uniform(-120.0, 0.0), -120.0, 0.0);
+  task.start_m = Vec3(rng.uniform(-120.0, 0.0), -100.0, 0.0);
+  out.options.seed = seed;
+  out.options.energy_margin = rng.uniform(0.0, 0.15);
+  out.options.energy_spare = rng.uniform(0.0, 0.04);
+  out.options.lead_s = rng.uniform(0.0, 2.0);
+  out.options.stop.max_evaluations = 40;
+  out.options.stop.max_iterations = 40;
+  if (rng.uniform() < 0.9) {
+    // Any order will do for most: what is judged here is the schedule.
+    static const ManualClock kStill;
+    out.options.stop.clock = &kStill;
+    out.options.stop.deadline_s = 0.0;
+  }
+  return out;
+}
+
+test_support::ReplayQuestion question_of(const ReplayTask& random) {
+  test_support::ReplayQuestion out;
+  const planner::Terrain& terrain = random.terrain;
+  out.ground_m = [&terrain](double x_m, double y_m) { return terrain.height_at(x_m, y_m); };
+  out.lead_s = random.options.lead_s;
+  out.energy_margin = random.options.energy_margin;
+  out.energy_spare = random.options.energy_spare * random.task.battery.capacity;
+  if (!terrain.is_flat()) {
+    // Both look for the highest ground on the way: one exactly, the other at steps.
+    out.time_tolerance_s = 0.05;
+    out.energy_tolerance = 0.05;
+    out.height_tolerance_m = 0.05;
+  }
+  return out;
+}
+
+}  // namespace swallowtail::coverage::test

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "tests/support/replay_oracle.hpp"
+
+namespace swallowtail::test_support {
+
+/// Fields not covered by lines at their height, and lines outside their field. `worst_share`: of the field
+/// that is covered least.
+std::vector<std::string> faults_of_cover(const coverage::Task& task, const coverage::Plan& plan,
+                                         const ReplayQuestion& question, double& worst_share);
+
+/// Flights over a hole or no-fly area in which the way neither begins nor ends.
+std::vector<std::string> faults_of_way(const coverage::Task& task, const std::vector<Vec3>& way);
+
+}  // namespace swallowtail::test_support
