@@ -1,161 +1,120 @@
 #include "coverage/gtsp/detail/exact.hpp"
 
 #include <algorithm>
-#include <bit>
-#include <cmath>
+
+#include "coverage/gtsp/proof/subset_search.hpp"
 
 namespace swallowtail::gtsp::detail {
 namespace {
 
-using Mask = std::uint32_t;
+using Kind = proof::SubsetAnswer::Kind;
 
-constexpr double kMaxTableBytes = 256.0 * 1024 * 1024;
-constexpr Mask kMasksBetweenStops = 64;
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-/// reach_[mask][v]: cheapest way from the root vertex through the clusters in mask, each once, that ends at
-/// v.
-class SubsetTable {
+/// The folded instance's clusters, the anchor's first if there is one, their living vertices numbered in
+/// order.
+class FoldedProblem {
  public:
-  SubsetTable(const Instance& instance, const Anchor& anchor, const Reduced& reduced)
-      : reduced_(reduced), n_(at(reduced.size())) {
-    root_ = reduced.anchor() >= 0 ? reduced.cluster_of(reduced.anchor()) : 0;
-    for (int c = 0; c < reduced.cluster_count() && reduced.anchor() < 0; ++c) {
-      if (reduced.cluster_size(c) < reduced.cluster_size(root_)) root_ = c;
+  FoldedProblem(const Instance& instance, const Anchor& anchor, const Pruning& pruning) {
+    const int n = instance.vertex_count();
+    number_.assign(at(n) + 1, -1);
+    if (anchor.is_used) append({n}, -1);
+    for (int c = 0; c < instance.cluster_count(); ++c) {
+      std::vector<int> living;
+      for (const int v : instance.cluster(c)) {
+        if (pruning.is_alive[at(v)] != 0) living.push_back(v);
+      }
+      if (!living.empty()) append(living, c);
     }
-    for (int c = 0; c < reduced.cluster_count(); ++c) {
-      if (c != root_) others_.push_back(c);
-    }
-    instance_ = &instance;
-    anchor_ = &anchor;
+    if (anchor.is_used) problem_.root = 0;
+    load_costs(instance, anchor);
   }
 
-  double work() const {
-    const double n = static_cast<double>(n_);
-    return std::ldexp(n * n / 4.0, static_cast<int>(others_.size())) * reduced_.cluster_size(root_);
-  }
-  double bytes() const { return std::ldexp(8.0 * static_cast<double>(n_), static_cast<int>(others_.size())); }
-
-  ExactAnswer solve(const StopCondition& stop) {
-    load_costs();
-    ExactAnswer answer{ExactAnswer::Kind::kNoTour, {}};
-    double best = kNoArc;
-    for (int start = reduced_.first(root_); start < reduced_.last(root_); ++start) {
-      if (!fill(start, stop)) return {ExactAnswer::Kind::kStopped, {}};
-      const auto [end, cost] = best_end(start);
-      if (cost >= best) continue;
-      best = cost;
-      answer = {ExactAnswer::Kind::kSolved, trace(start, end)};
+  void load_precedence(std::span<const std::pair<int, int>> pairs) {
+    if (pairs.empty()) return;
+    problem_.before.resize(problem_.clusters.size());
+    for (const auto& [first, second] : pairs) {
+      const auto earlier = std::find(cluster_.begin(), cluster_.end(), first);
+      const auto later = std::find(cluster_.begin(), cluster_.end(), second);
+      if (earlier == cluster_.end() || later == cluster_.end()) continue;
+      problem_.before[at(static_cast<int>(later - cluster_.begin()))].push_back(
+          static_cast<int>(earlier - cluster_.begin()));
     }
-    return answer;
   }
+
+  /// Clusters that tours can begin with, when that matters; else one stands for all.
+  std::vector<int> roots() const {
+    if (problem_.root >= 0 || problem_.before.empty()) return {problem_.root};
+    std::vector<int> roots;
+    for (std::size_t c = 0; c < problem_.before.size(); ++c) {
+      if (problem_.before[c].empty()) roots.push_back(static_cast<int>(c));
+    }
+    return roots;
+  }
+
+  proof::SubsetProblem& problem() { return problem_; }
+  int original(int v) const { return original_[at(v)]; }
 
  private:
-  static std::size_t at(int i) { return static_cast<std::size_t>(i); }
-  Mask full() const { return (Mask{1} << others_.size()) - 1; }
-  double& reach(Mask mask, int v) { return reach_[mask * n_ + at(v)]; }
-  double cost(int from, int to) const { return cost_into_[at(to) * n_ + at(from)]; }
+  void append(const std::vector<int>& vertices, int cluster) {
+    std::vector<int> numbers;
+    for (const int v : vertices) {
+      numbers.push_back(static_cast<int>(original_.size()));
+      number_[at(v)] = numbers.back();
+      original_.push_back(v);
+    }
+    problem_.clusters.push_back(std::move(numbers));
+    cluster_.push_back(cluster);
+  }
 
-  void load_costs() {
-    cost_into_.assign(n_ * n_, kNoArc);
-    for (int u = 0; u < reduced_.size(); ++u) {
-      for_each_arc(*instance_, *anchor_, reduced_.original(u), [&](int original_to, double arc) {
-        const int v = reduced_.reduced(original_to);
-        if (v >= 0) cost_into_[at(v) * n_ + at(u)] = arc;
+  void load_costs(const Instance& instance, const Anchor& anchor) {
+    const std::size_t n = original_.size();
+    problem_.cost.assign(n * n, kNoArc);
+    for (std::size_t u = 0; u < n; ++u) {
+      for_each_arc(instance, anchor, original_[u], [&](int to, double cost) {
+        const int v = number_[at(to)];
+        if (v >= 0) problem_.cost[u * n + at(v)] = cost;
       });
     }
-    reach_.resize(n_ << others_.size());
   }
 
-  bool fill(int start, const StopCondition& stop) {
-    std::fill(reach_.begin(), reach_.end(), kNoArc);
-    for (std::size_t bit = 0; bit < others_.size(); ++bit) {
-      for (int v = reduced_.first(others_[bit]); v < reduced_.last(others_[bit]); ++v)
-        reach(Mask{1} << bit, v) = cost(start, v);
-    }
-    for (Mask mask = 1; mask <= full(); ++mask) {
-      if (mask % kMasksBetweenStops == 0 && stop.reached(0, 0)) return false;
-      if (!std::has_single_bit(mask)) fill_subset(mask);
-    }
-    return true;
-  }
-
-  void fill_subset(Mask mask) {
-    for (Mask rest = mask; rest != 0; rest &= rest - 1) {
-      const int bit = std::countr_zero(rest);
-      const Mask before = mask & ~(Mask{1} << bit);
-      for (int v = reduced_.first(others_[at(bit)]); v < reduced_.last(others_[at(bit)]); ++v)
-        reach(mask, v) = cheapest_into(before, v);
-    }
-  }
-
-  double cheapest_into(Mask before, int v) const {
-    const double* const from = reach_.data() + before * n_;
-    const double* const arc = cost_into_.data() + at(v) * n_;
-    double best = kNoArc;
-    for (Mask rest = before; rest != 0; rest &= rest - 1) {
-      const int cluster = others_[at(std::countr_zero(rest))];
-      for (int u = reduced_.first(cluster); u < reduced_.last(cluster); ++u)
-        best = std::min(best, from[u] + arc[u]);
-    }
-    return best;
-  }
-
-  std::pair<int, double> best_end(int start) {
-    std::pair<int, double> best{-1, kNoArc};
-    for (const int cluster : others_) {
-      for (int v = reduced_.first(cluster); v < reduced_.last(cluster); ++v) {
-        const double sum = reach(full(), v) + cost(v, start);
-        if (sum < best.second) best = {v, sum};
-      }
-    }
-    return best;
-  }
-
-  int bit_of(int v) const {
-    return static_cast<int>(std::find(others_.begin(), others_.end(), reduced_.cluster_of(v)) -
-                            others_.begin());
-  }
-
-  /// Back from the end: each step finds the predecessor whose sum is the stored one.
-  std::vector<int> trace(int start, int end) {
-    std::vector<int> order;
-    Mask mask = full();
-    for (int v = end; v >= 0;) {
-      order.push_back(v);
-      const Mask before = mask & ~(Mask{1} << bit_of(v));
-      int previous = -1;
-      for (Mask rest = before; rest != 0 && previous < 0; rest &= rest - 1) {
-        const int cluster = others_[at(std::countr_zero(rest))];
-        for (int u = reduced_.first(cluster); u < reduced_.last(cluster) && previous < 0; ++u) {
-          if (reach(before, u) + cost(u, v) == reach(mask, v)) previous = u;
-        }
-      }
-      mask = before;
-      v = previous;
-    }
-    order.push_back(start);
-    std::reverse(order.begin(), order.end());
-    return order;
-  }
-
-  const Reduced& reduced_;
-  const Instance* instance_ = nullptr;
-  const Anchor* anchor_ = nullptr;
-  std::size_t n_;
-  int root_ = 0;
-  std::vector<int> others_;
-  std::vector<double> cost_into_;  ///< by (to, from)
-  std::vector<double> reach_;
+  std::vector<int> number_;    ///< by vertex of the instance; −1 = dropped
+  std::vector<int> original_;  ///< by number
+  std::vector<int> cluster_;   ///< of the instance, by cluster of the problem; −1 for the anchor's
+  proof::SubsetProblem problem_;
 };
 
 }  // namespace
 
-ExactAnswer solve_exactly(const Instance& instance, const Anchor& anchor, const Reduced& reduced,
-                          double work_limit, const StopCondition& stop) {
-  SubsetTable table(instance, anchor, reduced);
-  const bool fits =
-      reduced.cluster_count() <= 24 && table.work() <= work_limit && table.bytes() <= kMaxTableBytes;
-  return fits ? table.solve(stop) : ExactAnswer{};
+ExactAnswer solve_exactly(const Instance& instance, const Anchor& anchor, const Pruning& pruning,
+                          const ExactParams& params, const StopCondition& stop) {
+  const auto living = std::count(pruning.is_alive.begin(), pruning.is_alive.end(), 1);
+  const auto fixed = std::count(anchor.fixed_cluster.begin(), anchor.fixed_cluster.end(), 1);
+  const auto clusters = instance.cluster_count() - fixed + (anchor.is_used ? 1 : 0);
+  if (living > proof::kMostSubsetVertices || clusters > proof::kMostSubsetClusters) return {};
+  FoldedProblem folded(instance, anchor, pruning);
+  folded.load_precedence(params.precedence);
+  proof::SubsetProblem& problem = folded.problem();
+  const std::vector<int> roots = folded.roots();
+  ExactAnswer answer{ExactAnswer::Kind::kNoTour, {}, kNoArc};
+  proof::SubsetLimits limits;
+  limits.work = params.work / static_cast<double>(roots.size());
+  for (const int root : roots) {
+    problem.root = root;
+    const proof::SubsetAnswer found = search_subsets(problem, limits, stop);
+    answer.lower_bound = std::min(answer.lower_bound, found.lower_bound);
+    if (found.kind == Kind::kStopped || found.kind == Kind::kTooMuch) {
+      const bool is_stopped = found.kind == Kind::kStopped;
+      return {is_stopped ? ExactAnswer::Kind::kStopped : ExactAnswer::Kind::kTooLarge,
+              {},
+              roots.size() == 1 ? found.lower_bound : 0.0};
+    }
+    if (found.kind != Kind::kTour) continue;
+    limits.upper_bound = found.cost;
+    answer = {ExactAnswer::Kind::kSolved, {}, found.cost};
+    for (const int v : found.tour) answer.order.push_back(folded.original(v));
+  }
+  return answer;
 }
 
 }  // namespace swallowtail::gtsp::detail

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "coverage/gtsp/detail/exact.hpp"
+
 namespace swallowtail::gtsp::detail {
 namespace {
 
@@ -14,6 +16,9 @@ constexpr int kMostRemoved = 12;
 double iterations_per_cluster(Mode mode) {
   return mode == Mode::kFast ? 200.0 : mode == Mode::kSlow ? 8000.0 : 1200.0;
 }
+
+/// See ExactParams::work.
+double exact_work(Mode mode) { return mode == Mode::kFast ? 1e9 : mode == Mode::kSlow ? 4e10 : 5e9; }
 
 }  // namespace
 
@@ -50,24 +55,55 @@ void PrecedenceSearch::close_precedence() {
 
 Solution PrecedenceSearch::solve() {
   solution_.reason = "The search ended at its limit of work or time.";
-  if (is_tiny()) {
-    solve_subsets();
-  } else {
+  if (!solve_over_subsets()) {
     begin();
     anneal();
+    judge();
   }
   solution_.tour = best_.tour;
   solution_.cost = best_.cost;
   solution_.history = incumbents_.history();
-  if (is_tiny() && !best_.tour.empty()) {
-    solution_.status = SolveStatus::kOptimal;
-    solution_.proved_optimal = true;
-    solution_.lower_bound = best_.cost;
-    solution_.reason = "Dynamic programming over all subsets of clusters.";
-  } else if (is_tiny()) {
+  return std::move(solution_);
+}
+
+/// Whether that was possible: then all is known.
+bool PrecedenceSearch::solve_over_subsets() {
+  const Anchor anchor = make_anchor(instance_, options_);
+  if (free_.empty() || anchor.inner_cost == kNoArc) return false;
+  const Pruning pruning = prune(instance_, anchor);
+  const bool has_none = pruning.emptied_cluster >= 0 || pruning.is_anchor_dead;
+  ExactAnswer answer{ExactAnswer::Kind::kNoTour, {}, kNoArc};
+  if (!has_none) {
+    const ExactParams params{.work = exact_work(options_.mode), .precedence = options_.precedence};
+    answer = solve_exactly(instance_, anchor, pruning, params, options_.stop);
+  }
+  if (answer.kind == ExactAnswer::Kind::kNoTour) {
     solution_.status = SolveStatus::kInfeasible;
     solution_.lower_bound = kNoArc;
     solution_.reason = "All orders of the clusters were considered: each needs a missing arc.";
+    return true;
+  }
+  if (answer.kind != ExactAnswer::Kind::kSolved) return false;
+  const auto same = [](int v) { return v; };
+  best_ = found_from(instance_, anchor, answer.order, same, options_.kind);
+  incumbents_.offer(best_, 0);
+  solution_.status = SolveStatus::kOptimal;
+  solution_.proved_optimal = true;
+  solution_.lower_bound = best_.cost;
+  solution_.reason = "Dynamic programming over all subsets of clusters.";
+  return true;
+}
+
+void PrecedenceSearch::judge() {
+  if (free_.empty() && !best_.tour.empty()) {
+    solution_.status = SolveStatus::kOptimal;
+    solution_.proved_optimal = true;
+    solution_.lower_bound = best_.cost;
+    solution_.reason = "There is only one tour to consider.";
+  } else if (free_.empty()) {
+    solution_.status = SolveStatus::kInfeasible;
+    solution_.lower_bound = kNoArc;
+    solution_.reason = "Between the fixed vertices of the tour an arc is missing.";
   } else if (options_.stop.interrupted()) {
     solution_.status = SolveStatus::kInterrupted;
     solution_.reason = "Stop was requested.";
@@ -76,7 +112,6 @@ Solution PrecedenceSearch::solve() {
   } else {
     solution_.reason = "The search met no tour without missing arcs; whether there is one is open.";
   }
-  return std::move(solution_);
 }
 
 /// The warm tour's usable part in order, or clusters in random order, each at its cheapest place.

@@ -12,8 +12,8 @@ namespace swallowtail::gtsp::detail {
 
 /// Search for tours that keep Options::precedence: clusters are taken out and put back at the cheapest place
 /// their predecessors and successors leave them, under simulated annealing; the best tours' vertices are then
-/// chosen anew by dynamic programming [FISCHETTI-SALAZAR-TOTH]. Tiny instances are solved over all subsets of
-/// clusters that hold their predecessors. One thread. Options must be valid.
+/// chosen anew by dynamic programming [FISCHETTI-SALAZAR-TOTH]. Small instances are solved over all subsets
+/// of clusters that hold their predecessors instead. One thread. Options must be valid.
 class PrecedenceSearch {
  public:
   PrecedenceSearch(const Instance& instance, const Options& options);
@@ -37,9 +37,8 @@ class PrecedenceSearch {
   void anneal();
   bool accepts(const Score& candidate, const Score& current, double temperature);
 
-  bool is_tiny() const;
-  void solve_subsets();
-  void extend_subsets(std::optional<int> first);
+  bool solve_over_subsets();
+  void judge();
 
   const Instance& instance_;
   const Options& options_;

@@ -21,19 +21,19 @@ Effort effort_of(Mode mode) {
       return {.trials = 1,
               .warm_trials = 1,
               .iterations_per_cluster = 300.0,
-              .exact_work = 5e7,
+              .exact_work = 1e9,
               .kicks_per_cluster = 300.0};
     case Mode::kDefault:
       return {.trials = 3,
               .warm_trials = 2,
               .iterations_per_cluster = 2000.0,
-              .exact_work = 5e8,
+              .exact_work = 5e9,
               .kicks_per_cluster = 1500.0};
     case Mode::kSlow:
       return {.trials = 8,
               .warm_trials = 4,
               .iterations_per_cluster = 10000.0,
-              .exact_work = 4e9,
+              .exact_work = 4e10,
               .kicks_per_cluster = 12700.0};
   }
   return {};

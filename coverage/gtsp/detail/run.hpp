@@ -19,7 +19,7 @@ struct Effort {
   int trials = 1;
   int warm_trials = 1;
   double iterations_per_cluster = 0.0;  ///< of each trial
-  double exact_work = 0.0;              ///< see solve_exactly
+  double exact_work = 0.0;              ///< see ExactParams::work
   double kicks_per_cluster = 0.0;       ///< of the chains together; 0: trials do all the searching
 };
 Effort effort_of(Mode mode);
@@ -39,7 +39,8 @@ class Run {
   bool finish_trivial();
   bool finish_unreachable();
   bool finish_exact();
-  bool finish_by_subsets(double work);
+  StopCondition stop_of_proofs() const;
+  bool finish_by_subsets();
   bool finish_by_walks();
   void finish(const Found& best, SolveStatus status, std::string reason);
   void finish_infeasible(std::string reason);

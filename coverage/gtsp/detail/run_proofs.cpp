@@ -57,33 +57,41 @@ bool Run::finish_unreachable() {
   return false;
 }
 
-/// Subsets where they are quickly gone through, else priced walks, else subsets after all.
-bool Run::finish_exact() {
-  constexpr double kQuickWork = 2e7;
-  return finish_by_subsets(std::min(kQuickWork, effort_.exact_work)) || finish_by_walks() ||
-         finish_by_subsets(effort_.exact_work);
+/// Subsets where they can be gone through, else priced walks.
+bool Run::finish_exact() { return finish_by_subsets() || finish_by_walks(); }
+
+/// Under a deadline, half of the time left at most.
+StopCondition Run::stop_of_proofs() const {
+  StopCondition stop = options_.stop;
+  if (stop.clock != nullptr && std::isfinite(stop.deadline_s))
+    stop.deadline_s = std::min(stop.deadline_s, (stop.deadline_s + stop.clock->now_s()) / 2.0);
+  return stop;
 }
 
-bool Run::finish_by_subsets(double work) {
-  const ExactAnswer answer = solve_exactly(instance_, anchor_, *reduced_, work, options_.stop);
+bool Run::finish_by_subsets() {
+  const Pruning pruning = instance_.is_complete() ? all_alive(instance_, anchor_) : prune(instance_, anchor_);
+  const ExactAnswer answer =
+      solve_exactly(instance_, anchor_, pruning, {.work = effort_.exact_work}, stop_of_proofs());
+  solution_.lower_bound = std::max(solution_.lower_bound, anchor_.inner_cost + answer.lower_bound);
   if (answer.kind == ExactAnswer::Kind::kNoTour) {
     finish_infeasible("All orders of the clusters were considered: each needs a missing arc.");
     return true;
   }
   if (answer.kind != ExactAnswer::Kind::kSolved) return false;
-  const auto original = [this](int v) { return reduced_->original(v); };
-  finish(found_from(instance_, anchor_, answer.order, original, options_.kind), SolveStatus::kOptimal,
+  const auto same = [](int v) { return v; };
+  finish(found_from(instance_, anchor_, answer.order, same, options_.kind), SolveStatus::kOptimal,
          "Dynamic programming over all subsets of clusters.");
   return true;
 }
 
 bool Run::finish_by_walks() {
   constexpr int kMostClusters = 24;
+  constexpr double kWalkShare = 0.08;  ///< a step takes about ten times as long
   if (effort_.exact_work == 0.0 || reduced_->cluster_count() > kMostClusters || options_.stop.reached(0, 0))
     return false;
   const Pruning pruning = instance_.is_complete() ? all_alive(instance_, anchor_) : prune(instance_, anchor_);
   proof::CertificateParams params;
-  params.work = 0.8 * effort_.exact_work;
+  params.work = kWalkShare * effort_.exact_work;
   const proof::Certificate certificate = proof::certify(instance_, anchor_, pruning, params, options_.stop);
   if (certificate.kind == proof::Certificate::Kind::kNoTour) {
     finish_infeasible(
