@@ -22,6 +22,16 @@ const LegLink& LinkCache::get(std::uint32_t from_id, const FlownLeg& from, std::
   return links_.emplace(key, link_legs(from, to, model_, charger_)).first->second;
 }
 
+FlightCost lift_to_first(const FlightModel& model, const ScheduleStart& start, const FlownLeg& first) {
+  std::optional<Vec3> along;
+  if (first.direction().norm() > 1e-3) along = first.direction();
+  if (start.kind == StartKind::kAir)
+    return model.transfer(start.position_m, first.entry_m, {start.direction, along});
+  return ground_distance(start.position_m, first.entry_m) < 1e-3
+             ? model.take_off(first.entry_m)
+             : model.take_off_to(start.position_m, first.entry_m, along);
+}
+
 /// Docked at a node: charging may begin at time_s with energy.
 struct StopPlanner::Label {
   double time_s = 0.0;
@@ -103,16 +113,7 @@ void StopPlanner::Search::prepare(LinkCache& cache) {
     if (i + 1 < size())
       links.push_back(&cache.get(legs[i].id, legs[i].flown, legs[i + 1].id, legs[i + 1].flown));
   }
-  const FlownLeg& first = legs.front().flown;
-  std::optional<Vec3> along;
-  if (first.direction().norm() > 1e-3) along = first.direction();
-  const double away = ground_distance(start->position_m, first.entry_m);
-  if (start->kind == StartKind::kAir) {
-    start_lift = model.transfer(start->position_m, first.entry_m, {start->direction, along});
-  } else {
-    start_lift = away < 1e-3 ? model.take_off(first.entry_m)
-                             : model.take_off_to(start->position_m, first.entry_m, along);
-  }
+  start_lift = lift_to_first(model, *start, legs.front().flown);
   end_landing = model.landing(legs.back().flown.exit_m);
   at.resize(2 * size() + 1);
   bound_rest();

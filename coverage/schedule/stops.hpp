@@ -97,6 +97,9 @@ struct RouteLeg {
   FlownLeg flown;
 };
 
+/// From where a schedule begins to the entry of its first leg.
+FlightCost lift_to_first(const FlightModel& model, const ScheduleStart& start, const FlownLeg& first);
+
 /// Decides, for legs in a given order, where to land, charge and be carried, and how much to charge, so that
 /// the last landing is earliest: exact by labels over the possible landings (time against energy, energy
 /// priced at the charging rate), battery continuous. The robot drives from rendezvous to rendezvous; if it is
