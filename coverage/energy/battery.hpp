@@ -2,21 +2,12 @@
 
 #include <cstdint>
 
+#include "coverage/energy/model.hpp"
 #include "planner/base/checks.hpp"
 #include "planner/base/result.hpp"
 #include "planner/base/vec.hpp"
 
 namespace swallowtail::coverage {
-
-/// Energy per second in each phase of flight. The default is the document's: one unit per unit of flying
-/// time, nothing on the ground [COV 3].
-struct EnergyModel {
-  double level_per_s = 1.0;
-  double climb_per_s = 1.0;
-  double descent_per_s = 1.0;
-  double hover_per_s = 1.0;
-  double landed_per_s = 0.0;
-};
 
 struct Battery {
   double capacity = 500.0;
@@ -35,8 +26,8 @@ struct Charger {
   Vec3 start_m = Vec3::Zero();
 };
 
+/// The energy model is judged by itself: it needs the vehicle.
 inline Status validate(const Battery& battery) {
-  const EnergyModel& m = battery.model;
   if (!is_positive(battery.capacity)) return bad_input("The battery's capacity must be positive.");
   if (!is_non_negative(battery.reserve) || battery.reserve >= battery.capacity)
     return bad_input("The battery's reserve must be at least 0 and below its capacity.");
@@ -44,12 +35,6 @@ inline Status validate(const Battery& battery) {
     return bad_input("The battery must have 1 to 1000 levels.");
   if (!is_non_negative(battery.charge_s_per_unit))
     return bad_input("The charging time per unit must not be negative.");
-  if (!is_positive(m.level_per_s) || !is_positive(m.climb_per_s) || !is_non_negative(m.descent_per_s) ||
-      !is_non_negative(m.hover_per_s) || !is_non_negative(m.landed_per_s)) {
-    return bad_input(
-        "The energy model's rates must be finite, positive for level flight and climb, and not negative "
-        "elsewhere.");
-  }
   return {};
 }
 

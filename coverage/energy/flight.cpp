@@ -18,29 +18,52 @@ Vec3 flat(const Vec3& v) { return {v.x(), v.y(), 0.0}; }
 
 }  // namespace
 
-FlightCost FlightModel::level(double length_m) const {
-  const double time = length_m / limits_.cruise_speed_mps;
-  return {time, time * energy_.level_per_s, length_m};
+FlightModel::FlightModel(const planner::VehicleLimits& limits, const EnergyModel& energy,
+                         const planner::Terrain& terrain, const Ways* ways)
+    : limits_(limits),
+      energy_(energy),
+      in_wind_(energy.multirotor && energy.wind_mps != Vec2::Zero()),
+      level_per_s_(base_power(energy, Vec3(limits.cruise_speed_mps, 0.0, 0.0))),
+      climb_per_s_(base_power(energy, Vec3(0.0, 0.0, limits.climb_speed_mps))),
+      descent_per_s_(base_power(energy, Vec3(0.0, 0.0, -limits.descent_speed_mps))),
+      hover_per_s_(base_power(energy, Vec3::Zero())),
+      terrain_(&terrain),
+      ways_(ways) {}
+
+double FlightModel::level_power(const Vec3& along) const {
+  if (!in_wind_) return level_per_s_;
+  return base_power(energy_, flat(along).normalized() * limits_.cruise_speed_mps);
 }
 
-FlightCost FlightModel::vertical(double height_m) const {
-  const bool climbs = height_m > 0.0;
-  const double time = std::abs(height_m) / (climbs ? limits_.climb_speed_mps : limits_.descent_speed_mps);
-  return {time, time * (climbs ? energy_.climb_per_s : energy_.descent_per_s), std::abs(height_m)};
+FlightCost FlightModel::level(const Vec3& from, const Vec3& to) const {
+  const double length = (to - from).norm();
+  const double time = length / limits_.cruise_speed_mps;
+  return {time, time * level_power(to - from) * mean_altitude_factor(energy_, from.z(), to.z()), length};
 }
 
-FlightCost FlightModel::stop() const {
-  return {planner::kStopToTurn_s, planner::kStopToTurn_s * energy_.hover_per_s, 0.0};
+FlightCost FlightModel::vertical(double from_m, double to_m) const {
+  const bool climbs = to_m > from_m;
+  const double height = std::abs(to_m - from_m);
+  const double time = height / (climbs ? limits_.climb_speed_mps : limits_.descent_speed_mps);
+  const double power = climbs ? climb_per_s_ : descent_per_s_;
+  return {time, time * power * mean_altitude_factor(energy_, from_m, to_m), height};
+}
+
+FlightCost FlightModel::stop(double altitude_m) const {
+  return {planner::kStopToTurn_s,
+          planner::kStopToTurn_s * hover_per_s_ * altitude_factor(energy_, altitude_m), 0.0};
 }
 
 Vec3 FlightModel::ground(const Vec3& at) const {
   return {at.x(), at.y(), terrain_->height_at(at.x(), at.y())};
 }
 
-FlightCost FlightModel::take_off(const Vec3& at) const { return vertical(at.z() - ground(at).z()) + stop(); }
+FlightCost FlightModel::take_off(const Vec3& at) const {
+  return vertical(ground(at).z(), at.z()) + stop(at.z());
+}
 
 FlightCost FlightModel::landing(const Vec3& at) const {
-  return stop() + vertical(std::min(0.0, ground(at).z() - at.z()));
+  return stop(at.z()) + vertical(at.z(), std::min(at.z(), ground(at).z()));
 }
 
 std::vector<Vec3> FlightModel::way(const Vec3& from, const Vec3& to) const {
@@ -64,9 +87,9 @@ std::vector<Vec3> FlightModel::way(const Vec3& from, const Vec3& to) const {
   return out;
 }
 
-FlightCost FlightModel::turn(const Vec3& before, const Vec3& after) const {
+FlightCost FlightModel::turn(const Vec3& before, const Vec3& after, double altitude_m) const {
   const double angle = std::atan2(before.cross(after).norm(), before.dot(after));
-  return angle > limits_.turn_max_rad + 1e-9 ? stop() : FlightCost{};
+  return angle > limits_.turn_max_rad + 1e-9 ? stop(altitude_m) : FlightCost{};
 }
 
 FlightCost FlightModel::level_part(const std::vector<Vec3>& way, const Ends& ends) const {
@@ -74,13 +97,12 @@ FlightCost FlightModel::level_part(const std::vector<Vec3>& way, const Ends& end
   FlightCost cost;
   for (std::size_t i = 0; i + 1 < way.size(); ++i) {
     const Vec3 along = way[i + 1] - way[i];
-    const double length = along.norm();
-    if (length < kSamePlace_m) continue;
-    cost += level(length);
-    if (before) cost += turn(*before, along);
+    if (along.norm() < kSamePlace_m) continue;
+    cost += level(way[i], way[i + 1]);
+    if (before) cost += turn(*before, along, way[i].z());
     before = along;
   }
-  if (before && ends.after) cost += turn(*before, *ends.after);
+  if (before && ends.after) cost += turn(*before, *ends.after, way.back().z());
   return cost;
 }
 
@@ -92,11 +114,11 @@ FlightCost FlightModel::transfer(const Vec3& from, const Vec3& to, const Ends& e
   const bool climbs = differs(altitude, from.z());
   const bool descends = differs(altitude, to.z());
   if (climbs) {
-    cost += (ends.before ? stop() : FlightCost{}) + vertical(altitude - from.z()) + stop();
+    cost += (ends.before ? stop(from.z()) : FlightCost{}) + vertical(from.z(), altitude) + stop(altitude);
     level_ends.before.reset();
   }
   if (descends) {
-    cost += stop() + vertical(to.z() - altitude) + (ends.after ? stop() : FlightCost{});
+    cost += stop(altitude) + vertical(altitude, to.z()) + (ends.after ? stop(to.z()) : FlightCost{});
     level_ends.after.reset();
   }
   return cost + level_part(way_there, level_ends);

@@ -37,14 +37,18 @@ struct FlightCost {
 class FlightModel {
  public:
   FlightModel(const planner::VehicleLimits& limits, const EnergyModel& energy,
-              const planner::Terrain& terrain, const Ways* ways = nullptr)
-      : limits_(limits), energy_(energy), terrain_(&terrain), ways_(ways) {}
+              const planner::Terrain& terrain, const Ways* ways = nullptr);
 
-  /// Level, straight.
-  FlightCost level(double length_m) const;
-  /// Vertical, by a signed height.
-  FlightCost vertical(double height_m) const;
-  FlightCost stop() const;
+  /// Level and straight, at the altitude of both.
+  FlightCost level(const Vec3& from, const Vec3& to) const;
+  /// Straight up or down from one altitude to another.
+  FlightCost vertical(double from_m, double to_m) const;
+  /// Units per second aloft at a velocity over ground.
+  double power(const Vec3& velocity_mps, double altitude_m) const {
+    return base_power(energy_, velocity_mps) * altitude_factor(energy_, altitude_m);
+  }
+  /// To turn, at an altitude.
+  FlightCost stop(double altitude_m) const;
 
   /// From the ground below `at` up to it, standing there ready to go any way.
   FlightCost take_off(const Vec3& at) const;
@@ -76,11 +80,17 @@ class FlightModel {
  private:
   double transfer_altitude(const Vec3& from, const Vec3& to) const { return way(from, to).front().z(); }
   /// Stop or not between two directions.
-  FlightCost turn(const Vec3& before, const Vec3& after) const;
+  FlightCost turn(const Vec3& before, const Vec3& after, double altitude_m) const;
+  double level_power(const Vec3& along) const;
   FlightCost level_part(const std::vector<Vec3>& way, const Ends& ends) const;
 
   planner::VehicleLimits limits_;
   EnergyModel energy_;
+  bool in_wind_;  ///< so that level flight's power depends on its direction
+  double level_per_s_;
+  double climb_per_s_;
+  double descent_per_s_;
+  double hover_per_s_;
   const planner::Terrain* terrain_;
   const Ways* ways_;
 };

@@ -46,8 +46,8 @@ PlanKeeper::PlanKeeper(Task task, planner::Terrain terrain, KeeperParams params,
 double PlanKeeper::energy_now() const {
   if (!battery_) return task_.battery.capacity;
   if (!vehicle_ || vehicle_->on_ground()) return battery_->energy;
-  return battery_->energy -
-         std::max(0.0, vehicle_->time_s - battery_->time_s) * task_.battery.model.level_per_s;
+  return battery_->energy - std::max(0.0, vehicle_->time_s - battery_->time_s) *
+                                model().power(vehicle_->velocity_mps, vehicle_->position_m.z());
 }
 
 bool PlanKeeper::covers(std::size_t leg) const {
@@ -72,7 +72,7 @@ std::size_t PlanKeeper::committed_legs() const {
   if (vehicle_->velocity_mps.head<2>().norm() > 0.5) direction = vehicle_->velocity_mps;
   if (count == 1) {
     const Leg& current = plan_.legs[plan_.legs_done];
-    time_s = flight.level((current.exit_m - at).norm()).time_s;
+    time_s = flight.level(at, current.exit_m).time_s;
     at = current.exit_m;
     direction = current.exit_m - current.entry_m;
   }
@@ -82,7 +82,7 @@ std::size_t PlanKeeper::committed_legs() const {
     time_s += flight.transfer(at, leg.entry_m, {direction, leg.exit_m - leg.entry_m}).time_s;
     if (time_s > params_.reaction_s) break;
     ++count;
-    time_s += flight.level((leg.exit_m - leg.entry_m).norm()).time_s;
+    time_s += flight.level(leg.entry_m, leg.exit_m).time_s;
     at = leg.exit_m;
     direction = leg.exit_m - leg.entry_m;
   }
@@ -103,10 +103,10 @@ std::optional<FlightCost> PlanKeeper::to_next_landing() const {
   for (std::size_t i = first; i <= last && i < plan_.legs.size(); ++i) {
     const Leg& leg = plan_.legs[i];
     if (i == first && covers(i)) {
-      cost += flight.level((leg.exit_m - at).norm());
+      cost += flight.level(at, leg.exit_m);
     } else {
       cost += flight.transfer(at, leg.entry_m, {direction, leg.exit_m - leg.entry_m}) +
-              flight.level((leg.exit_m - leg.entry_m).norm());
+              flight.level(leg.entry_m, leg.exit_m);
     }
     at = leg.exit_m;
     direction = leg.exit_m - leg.entry_m;

@@ -158,16 +158,15 @@ bool PlanKeeper::solve_in_flight(const std::string& reason) {
 /// from there.
 bool PlanKeeper::land_at_once(std::vector<Leg> legs, const Vec3& at_m, const std::string& reason) {
   const FlightModel flight = model();
-  const double down_s = vehicle_->time_s + flight.level(flat_distance(vehicle_->position_m, at_m)).time_s +
-                        flight.landing(at_m).time_s;
+  const FlightCost down = flight.level(vehicle_->position_m, at_m) + flight.landing(at_m);
+  const double down_s = vehicle_->time_s + down.time_s;
   Leg first = legs.front();
   legs.erase(legs.begin());
   first.transfer = legs.empty() ? Transfer::kEnd : Transfer::kFDUF;
   first.start_s = vehicle_->time_s;
   first.end_s = down_s;
   first.energy_before = energy_now();
-  first.energy_after =
-      std::max(0.0, first.energy_before - (down_s - vehicle_->time_s) * task_.battery.model.level_per_s);
+  first.energy_after = std::max(0.0, first.energy_before - down.energy);
   RestPlan rest;
   if (!legs.empty()) {
     ScheduleStart start;

@@ -200,8 +200,7 @@ LivePlan from_wire(const data::CoveragePlan& in, const Task& task, const planner
       meeting.charge_to = std::min(task.battery.capacity, needs);
       out.rendezvous.push_back(meeting);
     };
-    const double hop =
-        (next.entry_m - leg.exit_m).norm() / task.vehicle.cruise_speed_mps * task.battery.model.level_per_s;
+    const double hop = model.level(leg.exit_m, next.entry_m).energy;
     if (at_exit)
       add(2 * i, leg.exit_m,
           leg.transfer == Transfer::kFDUFDU ? task.battery.capacity : next.energy_before + lift + hop);

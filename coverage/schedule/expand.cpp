@@ -30,7 +30,7 @@ void date_legs(const Sortie& sortie, std::span<const RouteLeg> route, const Sche
       so_far += links.get(route[i - 1].id, route[i - 1].flown, route[i].id, route[i].flown).hop;
     legs[i].start_s = sortie.take_off_s + so_far.time_s;
     legs[i].energy_before = sortie.energy_at_take_off - so_far.energy;
-    so_far += model.level(route[i].flown.direction().norm());
+    so_far += model.level(route[i].flown.entry_m, route[i].flown.exit_m);
     legs[i].end_s = sortie.take_off_s + so_far.time_s;
     legs[i].energy_after = sortie.energy_at_take_off - so_far.energy;
   }

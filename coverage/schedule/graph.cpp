@@ -90,7 +90,7 @@ class ArcBuilder {
               params.stops.charger.landing_s,
               counts ? factor_ : 0.0};
     for (const SubCell& cell : cells_) {
-      cover_.push_back(links_.model().level(cell.length_m()));
+      cover_.push_back(links_.model().level(cell.alpha_m, cell.beta_m));
       // Either end counts: over terrain one may stand higher.
       landing_[0].push_back(links_.model().landing(cell.beta_m));
       landing_[1].push_back(links_.model().landing(cell.alpha_m));

@@ -21,7 +21,7 @@ class LocalSearch {
         stop_(stop),
         first_free_(first_free) {
     end_s_ = evaluate(visits_);
-    tolerance_s_ = 2.0 * links.model().stop().time_s;
+    tolerance_s_ = 2.0 * planner::kStopToTurn_s;
   }
 
   ImproveReport run() {

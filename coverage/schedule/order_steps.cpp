@@ -7,7 +7,7 @@ namespace swallowtail::coverage {
 
 OrderValue::Step OrderValue::make_step(const RouteLeg& leg) const {
   Step out;
-  out.cover = Cost(links_->model().level(leg.flown.direction().norm()));
+  out.cover = Cost(links_->model().level(leg.flown.entry_m, leg.flown.exit_m));
   out.entry_m = leg.flown.entry_m.head<2>();
   out.exit_m = leg.flown.exit_m.head<2>();
   return out;

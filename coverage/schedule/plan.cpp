@@ -20,16 +20,23 @@ double piece_cost_m(const Task& task) {
   return task.sensor_width_m + kPieceStops * planner::kStopToTurn_s * task.vehicle.cruise_speed_mps;
 }
 
-/// What one battery flies straight at a height, its own take-off and landing left aside; not positive: it
-/// does not even lift.
-double longest_leg_m(const Task& task, double height_m, const StopParams& stops) {
-  const EnergyModel& model = task.battery.model;
-  const double up = height_m / task.vehicle.climb_speed_mps * model.climb_per_s;
-  const double down = height_m / task.vehicle.descent_speed_mps * model.descent_per_s;
-  const double stopping = 2.0 * planner::kStopToTurn_s * model.hover_per_s;
+/// What one battery flies straight at a height over ground of an elevation, whatever the direction, its own
+/// take-off and landing left aside; not positive: it does not even lift.
+double longest_leg_m(const Task& task, double height_m, double ground_m, const StopParams& stops) {
+  const EnergyModel& energy = task.battery.model;
+  const planner::Terrain ground = planner::Terrain::flat(ground_m);
+  const FlightModel model(task.vehicle, energy, ground);
+  const Vec3 above(0.0, 0.0, ground_m + height_m);
   const double left = (task.battery.capacity - task.battery.reserve - stops.spare) / stops.energy_factor -
-                      up - down - stopping;
-  return kLengthShare * left / model.level_per_s * task.vehicle.cruise_speed_mps;
+                      model.take_off(above).energy - model.landing(above).energy;
+  const double power = greatest_level_power(energy, task.vehicle.cruise_speed_mps) *
+                       altitude_factor(energy, ground_m + height_m);
+  return kLengthShare * left / power * task.vehicle.cruise_speed_mps;
+}
+
+double highest_ground_m(const Field& field, const planner::Terrain& terrain) {
+  const Box box = bounds_of(field.polygon.outline);
+  return terrain.max_in(box.lo, box.hi);
 }
 
 FieldReport report_of(const FieldCut& cut, double wall_ms) {
@@ -88,7 +95,8 @@ Status validate(const Task& task) {
   if (const Status status = validate(task.rules); !status) return status;
   if (const Status status = validate(task.battery); !status) return status;
   if (const Status status = validate(task.charger); !status) return status;
-  return planner::validate(task.vehicle);
+  if (const Status status = planner::validate(task.vehicle); !status) return status;
+  return validate(task.battery.model, task.vehicle);
 }
 
 StopParams stop_params(const Task& task, const PlanOptions& options) {
@@ -115,7 +123,8 @@ FieldsCut cut_fields(const Task& task, const planner::Terrain& terrain, const Pl
     params.rules = task.rules;
     params.no_fly = task.no_fly;
     // Over terrain a sub-cell's ends stand higher above ground than asked by the tolerance at most.
-    params.max_length_m = longest_leg_m(task, field.height_m + 2.0 * task.height_tolerance_m, stops);
+    params.max_length_m = longest_leg_m(task, field.height_m + 2.0 * task.height_tolerance_m,
+                                        highest_ground_m(field, terrain), stops);
     FieldCut cut = cut_field(field, terrain, params);
     if (cut.status == FieldStatus::kPlanned && out.sub_cells.size() + cut.sub_cells.size() > kMaxSubCells) {
       cut.status = FieldStatus::kRefused;

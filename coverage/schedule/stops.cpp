@@ -108,7 +108,7 @@ struct StopPlanner::Search {
 void StopPlanner::Search::prepare(LinkCache& cache) {
   const FlightModel& model = cache.model();
   for (std::size_t i = 0; i < size(); ++i) {
-    cover.push_back(model.level(legs[i].flown.direction().norm()));
+    cover.push_back(model.level(legs[i].flown.entry_m, legs[i].flown.exit_m));
     before.push_back(i == 0 ? FlightCost{} : before[i - 1] + cover[i - 1] + links[i - 1]->hop);
     if (i + 1 < size())
       links.push_back(&cache.get(legs[i].id, legs[i].flown, legs[i + 1].id, legs[i + 1].flown));

@@ -15,10 +15,10 @@ const planner::VehicleLimits kLimits;
 TEST(Flight, PhasesCostWhatTheModelSays) {
   const FlightModel model(
       kLimits, {.level_per_s = 2.0, .climb_per_s = 5.0, .descent_per_s = 0.5, .hover_per_s = 3.0}, kFlat);
-  EXPECT_DOUBLE_EQ(model.level(80.0).time_s, 10.0);
-  EXPECT_DOUBLE_EQ(model.level(80.0).energy, 20.0);
-  EXPECT_DOUBLE_EQ(model.vertical(30.0).energy, 50.0);
-  EXPECT_DOUBLE_EQ(model.vertical(-30.0).energy, 5.0);
+  EXPECT_DOUBLE_EQ(model.level(Vec3(0, 0, 10), Vec3(0, 80, 10)).time_s, 10.0);
+  EXPECT_DOUBLE_EQ(model.level(Vec3(0, 0, 10), Vec3(0, 80, 10)).energy, 20.0);
+  EXPECT_DOUBLE_EQ(model.vertical(0.0, 30.0).energy, 50.0);
+  EXPECT_DOUBLE_EQ(model.vertical(30.0, 0.0).energy, 5.0);
   EXPECT_DOUBLE_EQ(model.take_off(Vec3(5, 5, 30)).time_s, 11.0);
   EXPECT_DOUBLE_EQ(model.landing(Vec3(5, 5, 30)).energy, 3.0 + 5.0);
 }
@@ -53,9 +53,8 @@ TEST(Flight, PredictionsAgreeWithTimeRoute) {
                                                     {d, planner::Phase::kCover, 1, 0.0},
                                                     {model.ground(d), planner::Phase::kLanding, 1, 0.0}};
     const planner::TimedPath path = planner::time_route(model.ground(a), 0.0, route, kLimits);
-    const FlightCost predicted = model.take_off(a) + model.level((b - a).norm()) +
-                                 model.transfer(b, c, {b - a, d - c}) + model.level((d - c).norm()) +
-                                 model.landing(d);
+    const FlightCost predicted = model.take_off(a) + model.level(a, b) +
+                                 model.transfer(b, c, {b - a, d - c}) + model.level(c, d) + model.landing(d);
     EXPECT_GE(predicted.time_s, path.back().time_s - 1e-6);
     // A slanted transfer is flown quicker than climb and level flight one after the other.
     EXPECT_LE(
