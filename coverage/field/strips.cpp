@@ -5,8 +5,8 @@
 #include <string>
 #include <utility>
 
-#include "coverage/field/detail/cells.hpp"
 #include "coverage/field/detail/geos.hpp"
+#include "coverage/field/detail/line_search.hpp"
 #include "coverage/field/detail/lines.hpp"
 #include "coverage/field/detail/rest.hpp"
 #include "coverage/field/detail/simplify.hpp"
@@ -22,6 +22,11 @@ constexpr double kRestShare = 0.7;
 /// Sweep directions that are cut and compared.
 constexpr std::size_t kSweepsTried = 3;
 constexpr double kBetter_m = 1e-6;
+/// Rounds of the line search for each piece, and at most.
+constexpr int kRoundsPerPiece = 10;
+constexpr int kMostRounds = 500;
+/// Pieces of a field beyond which the search would be a drop in the ocean.
+constexpr std::size_t kMostSearched = 1000;
 
 double spacing_m(const StripParams& params) { return params.sensor_width_m * (1.0 - params.overlap); }
 
@@ -154,17 +159,33 @@ Result<Strips> cut_along(const Polygon& polygon, const StripParams& params, doub
   return finish(turned, params, std::move(cut), sweep_rad);
 }
 
-/// Nothing when the field has one cell only, or no better labelling than a single direction.
-std::optional<Strips> cut_by_cells(const Polygon& polygon, const StripParams& params,
-                                   const SweepParams& sweep, double sweep_rad) {
-  detail::CellLines lines = detail::lines_by_cell(polygon, sweep);
-  if (lines.pieces.empty()) return std::nullopt;
-  const Cut cut{lines.strips, sweep.spacing_m, std::move(lines.pieces)};
-  Result<Strips> strips = finish(polygon, params, cut, 0.0);
-  if (!strips) return std::nullopt;
-  strips->sweep_rad = sweep_rad;
-  strips->by_cell = true;
-  return *strips;
+/// Lines of any direction, each where it pays.
+void improve(const Polygon& polygon, const StripParams& params, Strips& strips) {
+  if (strips.pieces.size() > kMostSearched) return;
+  std::vector<detail::Segment> pieces;
+  for (const Piece& piece : strips.pieces) {
+    pieces.push_back(
+        {rotated(piece.from_m, -strips.sweep_rad), rotated(piece.to_m, -strips.sweep_rad), piece.strip});
+  }
+  detail::LineSearchParams search;
+  search.width_m = params.sensor_width_m;
+  search.piece_cost_m = params.piece_cost_m;
+  search.allowed_m2 = std::max(0.0, kUncoveredShare * area_m2(polygon) - strips.uncovered_m2);
+  search.rounds = std::min(kMostRounds, kRoundsPerPiece * static_cast<int>(pieces.size()));
+  const double lost_m2 = detail::search_lines(rotated(polygon, -strips.sweep_rad), search, pieces);
+  int number = 0;
+  for (const detail::Segment& piece : pieces) number = std::max(number, piece.strip + 1);
+  for (detail::Segment& piece : pieces) {
+    if (piece.strip < 0) piece.strip = number++;
+  }
+  std::stable_sort(pieces.begin(), pieces.end(),
+                   [](const detail::Segment& a, const detail::Segment& b) { return a.strip < b.strip; });
+  strips.pieces.clear();
+  for (const detail::Segment& piece : pieces) {
+    strips.pieces.push_back(
+        {rotated(piece.from_m, strips.sweep_rad), rotated(piece.to_m, strips.sweep_rad), piece.strip});
+  }
+  strips.uncovered_m2 += lost_m2;
 }
 
 }  // namespace
@@ -206,10 +227,9 @@ Result<Strips> cut_strips(const Polygon& polygon, const StripParams& params) {
   }
   const bool may_vary = params.headland_m <= 0.0 && params.beyond == Beyond::kNever;
   if (!may_vary || !best->ok()) return *best;
-  const double single = best->value().cost_m(params.piece_cost_m);
-  std::optional<Strips> cells = cut_by_cells(polygon, params, sweep, best->value().sweep_rad);
-  if (cells && cells->cost_m(params.piece_cost_m) < single - kBetter_m) return *cells;
-  return *best;
+  Strips chosen = best->value();
+  improve(polygon, params, chosen);
+  return chosen;
 }
 
 }  // namespace swallowtail::coverage

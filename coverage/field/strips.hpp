@@ -35,8 +35,6 @@ struct Strips {
   double width_m = 0.0;  ///< of each strip, ≤ the sensor's
   std::vector<Piece> pieces;
   double uncovered_m2 = 0.0;  ///< what no line inside the field sees, or what is too little to be worth one
-  bool by_cell = false;  ///< cells between holes and notches have directions of their own; sweep_rad is what
-                         ///< the whole would have
 
   /// Metres of flight with piece_cost_m for each piece.
   double cost_m(double piece_cost_m) const;
@@ -46,17 +44,18 @@ inline constexpr int kMaxStrips = 4096;
 /// What may stay uncovered for want of being worth a line, as share of the field.
 inline constexpr double kUncoveredShare = 2e-4;
 
-/// Boustrophedon strips [COV 3]: the field is cut perpendicular to the sweep direction into equal strips of
-/// at most one sensor width, and each stretch of a strip's centre line inside the field is flown. What the
-/// strips leave over along slanted borders, beside holes and in tips is covered by lines along the borders;
-/// then pieces are drawn in, or left out, where others see the same ground. No line leaves the field or
-/// crosses a hole (with Beyond::kSlantedBorders lines are instead prolonged over a slanted border, by what
-/// half a sensor sideways asks for). Without a given direction the three that promise most are cut, and one
-/// with a direction for each boustrophedon cell (detail/cells.hpp), and the cheapest is taken. `polygon` must
-/// be clean. Errors (kBadInput): params; more than
-/// kMaxStrips strips. (kInternal): GEOS failed.
+/// Boustrophedon strips [COV 3] [CHOSET]: the field is cut perpendicular to the sweep direction into equal
+/// strips of at most one sensor width, and each stretch of a strip's centre line inside the field is flown.
+/// What the strips leave over along slanted borders, beside holes and in tips is covered by lines along the
+/// borders; then pieces are drawn in, or left out, where others see the same ground. No line leaves the field
+/// or crosses a hole (with Beyond::kSlantedBorders lines are instead prolonged over a slanted border, by what
+/// half a sensor sideways asks for). Without a given direction the three that promise most are cut, the
+/// cheapest is taken, and its lines are then mixed with such of other directions as each place wants
+/// (detail/line_search.hpp; not with a headland that is flown, nor with lines beyond borders). `polygon` must
+/// be clean. Errors (kBadInput): params; more than kMaxStrips strips. (kInternal): GEOS failed.
 /// Departs from [COV]: strips are spread evenly, so that the last is neither missing nor half outside, and
-/// borders get lines of their own.
+/// borders get lines of their own. Departs from [BAHNEMANN]: directions are not chosen by the tour over cells
+/// but line by line before it: by cells less than 0.3 % was gained over one direction, by lines 2 to 12 %.
 Result<Strips> cut_strips(const Polygon& polygon, const StripParams& params);
 
 }  // namespace swallowtail::coverage

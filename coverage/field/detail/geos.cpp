@@ -178,29 +178,6 @@ Shape Shape::joined(const Shape& other) const {
                                            : nullptr);
 }
 
-std::vector<Polygon> Shape::cut_along(std::span<const std::pair<Vec2, Vec2>> cuts) const {
-  std::vector<Polygon> out;
-  if (!ok()) return out;
-  std::vector<GEOSGeometry*> lines{GEOSBoundary_r(context(), geometry_->get())};
-  for (const auto& [from, to] : cuts) {
-    GEOSCoordSequence* ends = GEOSCoordSeq_create_r(context(), 2, 2);
-    GEOSCoordSeq_setXY_r(context(), ends, 0, from.x(), from.y());
-    GEOSCoordSeq_setXY_r(context(), ends, 1, to.x(), to.y());
-    lines.push_back(GEOSGeom_createLineString_r(context(), ends));
-  }
-  const Shape noded = Geometry::unite(std::move(lines));
-  if (!noded.ok()) return out;
-  const GEOSGeometry* all = noded.geometry_->get();
-  const Shape faces = Geometry::wrap(GEOSPolygonize_r(context(), &all, 1));
-  for (Polygon& face : faces.parts()) {
-    const Owned polygon(make_polygon(face));
-    const Owned inside(polygon ? GEOSPointOnSurface_r(context(), polygon.get()) : nullptr);
-    if (inside && GEOSIntersects_r(context(), geometry_->get(), inside.get()) == 1)
-      out.push_back(std::move(face));
-  }
-  return out;
-}
-
 Shape Shape::inset(double distance_m) const {
   return Geometry::wrap(ok() ? GEOSBufferWithStyle_r(context(), geometry_->get(), -distance_m, 8,
                                                      GEOSBUF_CAP_FLAT, GEOSBUF_JOIN_MITRE, kMitreLimit)

@@ -42,8 +42,6 @@ class Shape {
   Shape within(const Shape& other) const;
   Shape within(const Box& box) const;
   Shape joined(const Shape& other) const;
-  /// The pieces it falls into along cuts, each from a place to a place; they may reach beyond it.
-  std::vector<Polygon> cut_along(std::span<const std::pair<Vec2, Vec2>> cuts) const;
   /// What lies at least so far inside the border (mitred corners stay corners); negative: widened.
   Shape inset(double distance_m) const;
 

@@ -1,0 +1,112 @@
+#include "coverage/field/detail/line_search.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "coverage/field/detail/geos.hpp"
+#include "coverage/field/detail/patch.hpp"
+#include "coverage/field/strips.hpp"
+#include "planner/base/rng.hpp"
+#include "tests/support/holed_field.hpp"
+
+namespace swallowtail::coverage {
+namespace {
+
+using test_support::Ground;
+
+Polygon polygon_of(const Ground& ground) {
+  Polygon out;
+  for (const auto& points : ground.rings) {
+    Ring ring;
+    for (const auto& [x, y] : points) ring.emplace_back(x, y);
+    (out.outline.empty() ? out.outline : out.holes.emplace_back()) = ring;
+  }
+  return clean(out)->front();
+}
+
+TEST(Patches, HaveTheAreaOfThePolygonTheyAreOf) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const Polygon field = polygon_of(test_support::holed_field(seed));
+    EXPECT_NEAR(detail::area_m2(detail::patches_of(field)), area_m2(field), 1e-3) << seed;
+  }
+}
+
+TEST(Patches, LoseWhatBandsSeeAsPolygonsDo) {
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    const Polygon field = polygon_of(test_support::holed_field(seed));
+    Rng rng(seed);
+    std::vector<detail::Patch> left = detail::patches_of(field);
+    std::vector<Ring> seen;
+    for (int i = 0; i < 40; ++i) {
+      const detail::Segment segment{{rng.uniform(-60, 60), rng.uniform(-60, 60)},
+                                    {rng.uniform(-60, 60), rng.uniform(-60, 60)}};
+      const detail::Band band = detail::band_of(segment, 5.0);
+      double within_m2 = 0.0;
+      for (const detail::Patch& patch : left) within_m2 += detail::part_in_band(patch, band).area_m2;
+      const double before_m2 = detail::area_m2(left);
+      EXPECT_NEAR(detail::area_m2(detail::within(left, band)), within_m2, 1e-3);
+      detail::subtract(band, left);
+      EXPECT_NEAR(before_m2 - detail::area_m2(left), within_m2, 1e-2);
+      seen.push_back(detail::seen_from(segment, 5.0));
+    }
+    const detail::Shape rest = detail::Shape::of(field).minus(detail::Shape::of(seen));
+    EXPECT_NEAR(detail::area_m2(left), rest.area_m2(), 0.05) << seed;
+  }
+}
+
+double best_single_cost(const Polygon& field, StripParams params, const Strips& free) {
+  double best = std::numeric_limits<double>::infinity();
+  for (int i = -1; i < 12; ++i) {
+    params.sweep_rad = i < 0 ? free.sweep_rad : i * 3.14159 / 12.0;
+    best = std::min(best, cut_strips(field, params)->cost_m(params.piece_cost_m));
+  }
+  return best;
+}
+
+TEST(LineSearch, SavesAgainstTheBestSingleDirectionBetweenHoles) {
+  double sum = 0.0;
+  constexpr int kFields = 4;
+  for (std::uint64_t seed = 1; seed <= kFields; ++seed) {
+    const Ground ground = test_support::holed_field(seed);
+    const Polygon field = polygon_of(ground);
+    StripParams params;
+    params.sensor_width_m = 10.0;
+    params.piece_cost_m = 26.0;
+    const auto strips = cut_strips(field, params);
+    ASSERT_TRUE(strips.ok());
+    std::vector<test_support::FlownLine> lines;
+    for (const Piece& piece : strips->pieces)
+      lines.push_back({{piece.from_m.x(), piece.from_m.y()}, {piece.to_m.x(), piece.to_m.y()}});
+    const auto verdict = test_support::judge_cover(ground, lines, {.width_m = 10.0});
+    EXPECT_GE(verdict.covered_share, 0.999) << seed;
+    EXPECT_EQ(verdict.outside_m, 0.0) << seed;
+    sum += 1.0 - strips->cost_m(26.0) / best_single_cost(field, params, *strips);
+  }
+  EXPECT_GE(sum / kFields, 0.08);
+}
+
+TEST(LineSearch, LeavesStripsOfARectangleAsTheyAre) {
+  const Polygon field{{{0, 0}, {100, 0}, {100, 35}, {0, 35}}, {}};
+  std::vector<detail::Segment> pieces;
+  for (int s = 0; s < 4; ++s) pieces.push_back({{0.001, 4.375 + 8.75 * s}, {99.999, 4.375 + 8.75 * s}, s});
+  const std::vector<detail::Segment> before = pieces;
+  EXPECT_EQ(detail::search_lines(field, {.width_m = 10.0, .piece_cost_m = 26.0, .rounds = 100}, pieces), 0.0);
+  ASSERT_EQ(pieces.size(), before.size());
+  for (std::size_t i = 0; i < pieces.size(); ++i) EXPECT_EQ(pieces[i].from_m, before[i].from_m);
+}
+
+TEST(LineSearch, IsTheSameForASeed) {
+  const Polygon field = polygon_of(test_support::holed_field(7));
+  const auto once = cut_strips(field, {.sensor_width_m = 10.0});
+  const auto again = cut_strips(field, {.sensor_width_m = 10.0});
+  ASSERT_EQ(once->pieces.size(), again->pieces.size());
+  for (std::size_t i = 0; i < once->pieces.size(); ++i) {
+    EXPECT_EQ(once->pieces[i].from_m, again->pieces[i].from_m);
+    EXPECT_EQ(once->pieces[i].to_m, again->pieces[i].to_m);
+  }
+}
+
+}  // namespace
+}  // namespace swallowtail::coverage
