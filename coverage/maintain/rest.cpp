@@ -20,10 +20,14 @@ std::optional<RestPlan> plan_rest(const Rest& rest, const ScheduleStart& start, 
   }
   LinkCache links(model, params.stops.charger);
   StopPlanner stops(links, params.stops);
-  StopCondition stop = params.stop;
-  stop.max_evaluations = std::min(stop.max_evaluations, params.schedules);
-  if (params.schedules > 0)
-    visits = improve_order(cells, std::move(visits), start, stops, links, stop, rest.fixed).visits;
+  if (params.schedules > 0) {
+    ImproveParams improve;
+    improve.stops = params.stops;
+    improve.stop = params.stop;
+    improve.stop.max_evaluations = std::min(improve.stop.max_evaluations, params.schedules);
+    improve.first_free = rest.fixed;
+    visits = improve_order(cells, std::move(visits), start, links, improve).visits;
+  }
   std::vector<RouteLeg> route;
   for (const Visit& visit : visits) route.push_back(route_leg(cells[visit.sub_cell], visit));
   const std::optional<StopPlan> schedule = stops.plan(route, start);

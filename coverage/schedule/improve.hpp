@@ -8,19 +8,34 @@
 
 namespace swallowtail::coverage {
 
+/// What an order is judged by.
+enum class Aim : std::uint8_t {
+  kFlight,    ///< time flown from leg to leg, as if the battery lasted
+  kSchedule,  ///< end of the schedule with its best stops
+};
+
+struct ImproveParams {
+  StopParams stops;
+  Aim aim = Aim::kSchedule;
+  StopCondition stop;  ///< evaluations: schedules looked at (none with kFlight)
+  std::uint64_t kicks = 0;
+  std::size_t first_free = 0;  ///< visits before it stay where they are
+  std::uint64_t seed = 1;
+};
+
 struct ImproveReport {
   std::vector<Visit> visits;
-  double end_s = 0.0;
+  double end_s = 0.0;  ///< of the schedule, or time flown from leg to leg
   std::uint64_t evaluations = 0;
 };
 
-/// Local search on the order under the true objective, the end of the schedule with its best stops: turning a
-/// leg round, moving a chain of up to three legs (either way round), reversing a stretch. Moves that lengthen
-/// the flight by more than a rendezvous costs are not tried. Deterministic; stops at a local optimum or when
-/// `stop` (evaluations = schedules computed) says so. `first_free`: visits before it stay where they are.
+/// Local search on the order: turning a stretch round, moving a chain of up to three legs (either way round)
+/// to where a site near one of its ends is, each leg looked at again only when
+/// something near it has changed. At a local optimum two neighbouring stretches change places at random and
+/// it goes on from there, back when that was no better. Under kSchedule, moves that lengthen the flight by
+/// more than a rendezvous costs are not tried. Deterministic; stops when `stop` says so.
 ImproveReport improve_order(std::span<const SubCell> sub_cells, std::vector<Visit> visits,
-                            const ScheduleStart& start, StopPlanner& stops, LinkCache& links,
-                            const StopCondition& stop, std::size_t first_free = 0);
+                            const ScheduleStart& start, LinkCache& links, const ImproveParams& params);
 
 /// Strip by strip, to and fro, fields by nearness: the order to fall back on.
 std::vector<Visit> boustrophedon_order(std::span<const SubCell> sub_cells, const Vec3& from_m);

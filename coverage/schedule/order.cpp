@@ -12,20 +12,23 @@ struct Budget {
   int layered_vertices;      ///< largest layered graph that is searched
   int plain_vertices;        ///< largest graph without levels
   std::uint64_t iterations;  ///< of the layered search
-  std::uint64_t schedules;   ///< computed by the local search, times the number of sub-cells: a schedule's
-                             ///< time grows with it
+  std::uint64_t schedules;   ///< looked at by the local search
+  std::uint64_t kicks;       ///< of the local search, per sub-cell
 };
+
+/// Largest layered graph that is compared with the full one in any mode.
+constexpr int kComparedVertices = 1700;
 
 Budget budget_of(gtsp::Mode mode) {
   switch (mode) {
     case gtsp::Mode::kFast:
-      return {1700, 1000, 4'000, 60'000};
+      return {0, 1000, 4'000, 20'000, 1};
     case gtsp::Mode::kDefault:
-      return {3000, 2000, 20'000, 400'000};
+      return {3000, 2000, 20'000, 1'000'000, 20};
     case gtsp::Mode::kSlow:
-      return {6000, 4000, std::numeric_limits<std::uint64_t>::max(), 4'000'000};
+      return {6000, 4000, std::numeric_limits<std::uint64_t>::max(), 10'000'000, 200};
   }
-  return {1700, 1000, 4'000, 60'000};
+  return {0, 1000, 4'000, 20'000, 1};
 }
 
 class OrderSearch {
@@ -147,8 +150,9 @@ Result<Order> OrderSearch::run() {
   offer("strip order", boustrophedon_order(cells_, start_.position_m));
   if (1 + 2 * n <= budget_.plain_vertices) solve_graph(1, "graph without levels");
   const bool compares = options_.full_graph == FullGraph::kCompare;
-  if (1 + 2 * n * task_.battery.levels <= budget_.layered_vertices && task_.battery.levels > 1 &&
-      (compares || needs_recharge())) {
+  const bool recharges = needs_recharge();
+  const int layered = std::max(budget_.layered_vertices, compares ? kComparedVertices : 0);
+  if (1 + 2 * n * task_.battery.levels <= layered && task_.battery.levels > 1 && (compares || recharges)) {
     solve_graph(task_.battery.levels, "layered graph");
     if (compares) {
       compare_with_full_graph(
@@ -160,12 +164,16 @@ Result<Order> OrderSearch::run() {
                       std::to_string(start_.energy) +
                       " at the start, does not reach the first sub-cell and a landing with the reserve.");
   }
-  StopCondition stop = options_.stop;
-  stop.max_evaluations =
-      std::min(stop.max_evaluations, std::max<std::uint64_t>(100, budget_.schedules / cells_.size()));
-  ImproveReport improved = improve_order(cells_, best_, start_, stops_, links_, stop);
+  ImproveParams params;
+  params.stops = stop_params(task_, options_);
+  params.stop = options_.stop;
+  params.stop.max_evaluations = std::min(params.stop.max_evaluations, budget_.schedules);
+  params.kicks = recharges ? budget_.kicks * cells_.size() : 0;
+  params.seed = options_.seed;
+  ImproveReport improved = improve_order(cells_, best_, start_, links_, params);
   statistics_.schedules_computed += improved.evaluations;
   if (improved.end_s < best_end_s_ - 1e-6) {
+    best_end_s_ = improved.end_s;
     best_ = std::move(improved.visits);
     statistics_.order_from += " + local search";
   }
