@@ -42,12 +42,33 @@ struct EnergyRates {
   double descent_per_s = 1.0;
   double hover_per_s = 1.0;
   double landed_per_s = 0.0;
+  double altitude_per_m = 0.0;  ///< share by which all of them aloft grow per metre above altitude_from_m
+  double altitude_from_m = 0.0;
+};
+
+/// A multirotor's power instead of the rates aloft; coverage/energy works it out and gives the source.
+struct MultirotorSpec {
+  double mass_kg = 3.0;  ///< without payload
+  double payload_kg = 0.0;
+  int rotors = 4;
+  double rotor_radius_m = 0.2;
+  double drag_area_m2 = 0.04;
+  double solidity = 0.1;
+  double blade_drag = 0.012;
+  double tip_speed_mps = 80.0;
+  double induced_factor = 1.15;
+  double efficiency = 0.75;
+  double avionics_w = 10.0;
+  double air_density_kgpm3 = 1.225;
+  double air_speed_max_mps = 20.0;
+  double unit_j = 3600.0;  ///< joules in a unit of the battery's energy
 };
 
 struct VehicleSpec {
   std::uint32_t id = 1;
   VehicleLimits limits;
   EnergyRates energy;
+  std::optional<MultirotorSpec> multirotor{};
 };
 
 struct PlanningSpec {

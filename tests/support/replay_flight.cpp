@@ -13,13 +13,54 @@ constexpr double kAboveClearance_m = 1.0;
 
 double flat_length(const Vec3& v) { return std::hypot(v.x(), v.y()); }
 
+/// Power balance of an actuator disc: the thrust that holds weight and drag, times the speed of the air
+/// through the disc, is what the discs put into the air; blades and electronics take theirs besides.
+double multirotor_power(const coverage::EnergyModel& model, const Vec3& velocity_mps) {
+  const coverage::Multirotor& craft = *model.multirotor;
+  const double rho = craft.air_density_kgpm3;
+  const double wx = velocity_mps.x() - model.wind_mps.x();
+  const double wy = velocity_mps.y() - model.wind_mps.y();
+  const double level = std::hypot(wx, wy);
+  const double up = velocity_mps.z() > 0.0 ? velocity_mps.z() : 0.0;
+  const double air = std::hypot(level, up);
+  const double weight = 9.80665 * (craft.mass_kg + craft.payload_kg);
+  const double drag = rho / 2.0 * craft.drag_area_m2 * air * air;
+  const double drag_level = air > 0.0 ? drag * level / air : 0.0;
+  const double drag_down = air > 0.0 ? drag * up / air : 0.0;
+  const double thrust = std::hypot(weight + drag_down, drag_level);
+  // The discs lean into the wind: speed of the air along their axis, and across it.
+  const double axis = (level * drag_level + up * (weight + drag_down)) / thrust;
+  const double across = (level * (weight + drag_down) - up * drag_level) / thrust;
+  const double area = craft.rotors * 3.14159265358979323846 * craft.rotor_radius_m * craft.rotor_radius_m;
+  double low = 0.0;
+  double high = 200.0;
+  for (int i = 0; i < 200; ++i) {
+    const double v = (low + high) / 2.0;
+    const bool enough = 2.0 * rho * area * v * std::hypot(across, axis + v) >= thrust;
+    (enough ? high : low) = v;
+  }
+  const double tip = craft.tip_speed_mps;
+  const double blades =
+      rho * area * craft.solidity * craft.blade_drag / 8.0 * (tip * tip * tip + 4.65 * tip * across * across);
+  const double shaft = thrust * (axis + craft.induced_factor * high) + blades;
+  return (shaft / craft.efficiency + craft.avionics_w) / model.unit_j;
+}
+
+double low_power(const coverage::EnergyModel& model, const Vec3& velocity_mps) {
+  if (model.multirotor) return multirotor_power(model, velocity_mps);
+  if (velocity_mps.norm() < 1e-9) return model.hover_per_s;
+  if (flat_length(velocity_mps) > 1e-9) return model.level_per_s;
+  return velocity_mps.z() > 0.0 ? model.climb_per_s : model.descent_per_s;
+}
+
+double thin_air(const coverage::EnergyModel& model, double altitude_m) {
+  return 1.0 + model.altitude_per_m * std::max(0.0, altitude_m - model.altitude_from_m);
+}
+
 }  // namespace
 
-double power_of(const coverage::Task& task, const Vec3& velocity_mps, double /*altitude_m*/) {
-  const auto& rates = task.battery.model;
-  if (velocity_mps.norm() < 1e-9) return rates.hover_per_s;
-  if (flat_length(velocity_mps) > 1e-9) return rates.level_per_s;
-  return velocity_mps.z() > 0.0 ? rates.climb_per_s : rates.descent_per_s;
+double power_of(const coverage::Task& task, const Vec3& velocity_mps, double altitude_m) {
+  return low_power(task.battery.model, velocity_mps) * thin_air(task.battery.model, altitude_m);
 }
 
 ReplayFlight::ReplayFlight(const coverage::Task& task, double step_s) : task_(task), step_s_(step_s) {}
@@ -34,9 +75,10 @@ void ReplayFlight::stand_at(const Vec3& site_m, double at_s, double holds) {
 void ReplayFlight::spend(double duration_s, const Vec3& velocity_mps) {
   const int steps = std::max(1, static_cast<int>(std::ceil(duration_s / step_s_)));
   const double step = duration_s / steps;
+  const double low = low_power(task_.battery.model, velocity_mps);
   for (int i = 0; i < steps; ++i) {
     const double altitude = at_m.z() + velocity_mps.z() * step / 2.0;
-    energy -= power_of(task_, velocity_mps, altitude) * step;
+    energy -= low * thin_air(task_.battery.model, altitude) * step;
     at_m += velocity_mps * step;
     least_energy = std::min(least_energy, energy);
   }

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "coverage/field/geojson.hpp"
+#include "coverage/task/energy_of.hpp"
 #include "coverage/task/fields_of.hpp"
 #include "planner/scenario/load.hpp"
 
@@ -73,7 +74,6 @@ Result<CoverJob> job_of(const planner::Scenario& scenario, std::uint64_t seed) {
   auto fields = coverage::fields_of(scenario);
   if (!fields) return fields.error();
   const planner::CoverageSpec& spec = *scenario.coverage;
-  const planner::EnergyRates& rates = scenario.vehicle.energy;
 
   coverage::Task task;
   task.vehicle_id = scenario.vehicle.id;
@@ -89,8 +89,7 @@ Result<CoverJob> job_of(const planner::Scenario& scenario, std::uint64_t seed) {
   task.battery.reserve = spec.battery.reserve;
   task.battery.levels = spec.battery.levels;
   task.battery.charge_s_per_unit = spec.battery.charge_s_per_unit;
-  task.battery.model = {rates.level_per_s, rates.climb_per_s, rates.descent_per_s, rates.hover_per_s,
-                        rates.landed_per_s};
+  task.battery.model = coverage::energy_model_of(scenario);
   task.charger.id = spec.charger.id;
   task.charger.speed_mps = spec.charger.speed_mps;
   task.charger.take_off_s = spec.charger.take_off_s;

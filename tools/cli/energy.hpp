@@ -1,12 +1,12 @@
 #pragma once
 
+#include "coverage/energy/model.hpp"
 #include "planner/path/path.hpp"
-#include "planner/scenario/scenario.hpp"
 
 namespace swallowtail::cli {
 
-/// Energy that a timed path takes: each segment by its time and the rate of how it is flown (up, down, level,
-/// standing); a sloped one by the rate of its steeper part.
-double energy_of(const planner::TimedPath& path, const planner::EnergyRates& rates);
+/// Energy that a timed path takes: each segment by its time, its mean altitude and the power of its velocity;
+/// with rates, a sloped one by the rate of its steeper part.
+double energy_of(const planner::TimedPath& path, const coverage::EnergyModel& model);
 
 }  // namespace swallowtail::cli

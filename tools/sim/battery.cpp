@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "coverage/task/energy_of.hpp"
+
 namespace swallowtail::sim {
 namespace {
 
-constexpr double kStill_mps = 1e-3;
 constexpr double kGustTime_s = 5.0;
 constexpr double kDriftTime_s = 30.0;
 constexpr double kLeastWindShare = -0.5;
@@ -15,7 +16,7 @@ constexpr double kMostDrift = 3.0;
 }  // namespace
 
 Battery::Battery(const planner::Scenario& scenario, double capacity, std::uint64_t seed)
-    : rates_(scenario.vehicle.energy),
+    : model_(coverage::energy_model_of(scenario)),
       wind_(scenario.wind),
       noise_(scenario.battery_noise),
       cruise_speed_mps_(scenario.vehicle.limits.cruise_speed_mps),
@@ -31,17 +32,14 @@ Vec3 Battery::wind_mps() const {
   return {speed_mps * std::sin(wind_.direction_rad), speed_mps * std::cos(wind_.direction_rad), 0.0};
 }
 
-double Battery::model_power(const Load& load) const {
-  if (load.on_ground) return rates_.landed_per_s;
-  const double level_mps = load.velocity_mps.head<2>().norm();
-  const double vertical_mps = std::abs(load.velocity_mps.z());
-  if (level_mps + vertical_mps < kStill_mps) return rates_.hover_per_s;
-  const double vertical_rate = load.velocity_mps.z() > 0.0 ? rates_.climb_per_s : rates_.descent_per_s;
-  return (rates_.level_per_s * level_mps + vertical_rate * vertical_mps) / (level_mps + vertical_mps);
+double Battery::model_power(const Load& load) {
+  if (load.on_ground) return model_.landed_per_s;
+  model_.wind_mps = wind_mps().head<2>();
+  return coverage::base_power(model_, load.velocity_mps) * coverage::altitude_factor(model_, load.altitude_m);
 }
 
 double Battery::wind_share(const Load& load) const {
-  if (load.on_ground) return 0.0;
+  if (load.on_ground || model_.multirotor) return 0.0;
   const double air_mps = (load.velocity_mps - wind_mps()).norm();
   return std::max(kLeastWindShare, (air_mps - load.velocity_mps.norm()) / cruise_speed_mps_);
 }

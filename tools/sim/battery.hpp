@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "coverage/energy/model.hpp"
 #include "planner/base/rng.hpp"
 #include "planner/base/vec.hpp"
 #include "planner/scenario/scenario.hpp"
@@ -13,12 +14,13 @@ struct Load {
   bool on_ground = true;
   Vec3 velocity_mps = Vec3::Zero();  ///< over ground
   double charge_rate = 0.0;          ///< units per second from the plug
+  double altitude_m = 0.0;           ///< the frame's z
 };
 
-/// The battery's true state. Power is the energy model's for the phase × (1 + wind + noise):
-/// - phase: landed; hover when it stands still aloft; else climb or descent and level in the shares of
-/// vertical and level speed;
-/// - wind: (|air speed| − |ground speed|) / cruise speed, at least −0.5; the wind's speed deviates by gusts;
+/// The battery's true state. Power is that of the scenario's energy model (coverage/energy/model.hpp) × (1 +
+/// wind + noise):
+/// - wind: a multirotor's power is that of its speed through the air, and this is 0; with rates it is (|air
+/// speed| − |ground speed|) / cruise speed, at least −0.5; the wind's speed deviates by gusts;
 /// - noise: a slow wander of standard deviation `battery_noise`.
 /// Gusts and noise are first-order autoregressive, drawn once per step whatever the aircraft does, so that a
 /// seed gives one weather.
@@ -39,11 +41,11 @@ class Battery {
   Vec3 wind_mps() const;
 
  private:
-  double model_power(const Load& load) const;
+  double model_power(const Load& load);
   double wind_share(const Load& load) const;
   void wander(double duration_s);
 
-  const planner::EnergyRates rates_;
+  coverage::EnergyModel model_;  ///< its wind is the one that blows
   const planner::WindSpec wind_;
   const double noise_;
   const double cruise_speed_mps_;

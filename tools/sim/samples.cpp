@@ -6,6 +6,7 @@
 #include <utility>
 #include <variant>
 
+#include "coverage/task/energy_of.hpp"
 #include "coverage/task/fields_of.hpp"
 #include "planner/scenario/load.hpp"
 #include "tools/sim/convert.hpp"
@@ -144,9 +145,21 @@ Status add_fields(const coverage::ScenarioFields& wanted, Mission& mission) {
   return {};
 }
 
+/// No flight over the fields is planned higher.
+double highest_m(const planner::Scenario& scenario, const planner::Terrain& terrain) {
+  const planner::CoverageSpec& spec = *scenario.coverage;
+  double height_m = spec.heights.default_m;
+  for (const auto& [name, class_height_m] : spec.heights.classes)
+    height_m = std::max(height_m, class_height_m);
+  const double ground_m = terrain.max_in(scenario.bounds.min_m.head<2>(), scenario.bounds.max_m.head<2>());
+  return ground_m + std::max(height_m + spec.height_tolerance_m, scenario.vehicle.limits.clearance_m() + 1.0);
+}
+
+/// The wire has one rate for each phase: those of the most that the energy model asks for there.
 void fill_task(const planner::Scenario& scenario, const planner::Terrain& terrain, data::CoverageTask& task) {
   const planner::CoverageSpec& spec = *scenario.coverage;
-  const planner::EnergyRates& rates = scenario.vehicle.energy;
+  const coverage::EnergyModel rates = coverage::greatest_rates(
+      coverage::energy_model_of(scenario), scenario.vehicle.limits, highest_m(scenario, terrain));
   task.task_id = kTaskId;
   task.vehicle_id = scenario.vehicle.id;
   task.sensor_width_m = spec.sensor_width_m;

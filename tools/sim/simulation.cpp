@@ -89,9 +89,11 @@ void Simulation::observe(const Motion& before) {
   }
   if (battery_) {
     const double charge_rate = aircraft_.charge_rate();
-    battery_->advance(
-        {.on_ground = now.on_ground(), .velocity_mps = now.velocity_mps, .charge_rate = charge_rate},
-        kStep_s);
+    battery_->advance({.on_ground = now.on_ground(),
+                       .velocity_mps = now.velocity_mps,
+                       .charge_rate = charge_rate,
+                       .altitude_m = now.position_m.z()},
+                      kStep_s);
     if (charge_rate > 0.0 && !charged_here_) {
       charged_here_ = true;
       ++tally_.recharges;

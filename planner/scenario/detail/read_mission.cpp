@@ -13,7 +13,39 @@ constexpr Range kSpeed = above_to(0, kMaxSpeed_mps);
 constexpr Range kEnergy = above_to(0, 1e9);
 constexpr std::size_t kMaxFieldIds = 64;
 
-void read_energy_model(Section& vehicle, EnergyRates& out) {
+/// All four, or none besides an altitude factor: then they are the document's.
+void read_rates(Section& model, EnergyRates& out) {
+  constexpr Range kRate = above_to(0, 1e6);
+  const bool has_any = model.has("level_per_s") || model.has("climb_per_s") || model.has("descent_per_s") ||
+                       model.has("hover_per_s");
+  const Need need = has_any || !model.has("altitude_per_m") ? Need::kRequired : Need::kOptional;
+  model.number("level_per_s", need, kRate, out.level_per_s);
+  model.number("climb_per_s", need, kRate, out.climb_per_s);
+  model.number("descent_per_s", need, kRate, out.descent_per_s);
+  model.number("hover_per_s", need, kRate, out.hover_per_s);
+}
+
+void read_multirotor(Section& model, MultirotorSpec& out) {
+  model.number("unit_j", Need::kOptional, above_to(0, 1e9), out.unit_j);
+  auto craft = model.section("multirotor", Need::kRequired);
+  if (!craft || !craft->is_map()) return;
+  craft->number("mass_kg", Need::kRequired, above_to(0, 1e3), out.mass_kg);
+  craft->number("payload_kg", Need::kOptional, from_to(0, 1e3), out.payload_kg);
+  craft->integer("rotors", Need::kOptional, from_to(1, 64), out.rotors);
+  craft->number("rotor_radius_m", Need::kRequired, above_to(0, 10), out.rotor_radius_m);
+  craft->number("drag_area_m2", Need::kOptional, from_to(0, 10), out.drag_area_m2);
+  craft->number("solidity", Need::kOptional, from_to(0, 1), out.solidity);
+  craft->number("blade_drag", Need::kOptional, from_to(0, 1), out.blade_drag);
+  craft->number("tip_speed_mps", Need::kOptional, above_to(0, 340), out.tip_speed_mps);
+  craft->number("induced_factor", Need::kOptional, from_to(1, 3), out.induced_factor);
+  craft->number("efficiency", Need::kOptional, from_to(0.05, 1), out.efficiency);
+  craft->number("avionics_w", Need::kOptional, from_to(0, 1e6), out.avionics_w);
+  craft->number("air_density_kgpm3", Need::kOptional, above_to(0, 10), out.air_density_kgpm3);
+  craft->number("air_speed_max_mps", Need::kOptional, kSpeed, out.air_speed_max_mps);
+  craft->finish();
+}
+
+void read_energy_model(Section& vehicle, VehicleSpec& out) {
   const RawNode* node = vehicle.raw("energy_model", Need::kOptional);
   if (node == nullptr) return;
   if (node->kind == RawNode::Kind::kScalar && node->scalar == "document") return;
@@ -22,14 +54,17 @@ void read_energy_model(Section& vehicle, EnergyRates& out) {
                  "must be document or a map of rates");
     return;
   }
-  Section rates(*node, vehicle.path_of("energy_model"), vehicle.log());
-  constexpr Range kRate = above_to(0, 1e6);
-  rates.number("level_per_s", Need::kRequired, kRate, out.level_per_s);
-  rates.number("climb_per_s", Need::kRequired, kRate, out.climb_per_s);
-  rates.number("descent_per_s", Need::kRequired, kRate, out.descent_per_s);
-  rates.number("hover_per_s", Need::kRequired, kRate, out.hover_per_s);
-  rates.number("landed_per_s", Need::kOptional, from_to(0, 1e6), out.landed_per_s);
-  rates.finish();
+  Section model(*node, vehicle.path_of("energy_model"), vehicle.log());
+  model.number("landed_per_s", Need::kOptional, from_to(0, 1e6), out.energy.landed_per_s);
+  model.number("altitude_per_m", Need::kOptional, from_to(0, 1), out.energy.altitude_per_m);
+  model.number("altitude_from_m", Need::kOptional, from_to(-1000, 1e4), out.energy.altitude_from_m);
+  if (model.has("multirotor")) {
+    out.multirotor.emplace();
+    read_multirotor(model, *out.multirotor);
+  } else {
+    read_rates(model, out.energy);
+  }
+  model.finish();
 }
 
 void read_heights(Section& coverage, HeightSpec& out) {
@@ -111,7 +146,7 @@ void read_vehicle(Section& top, Scenario& scenario) {
   section->number("descent_speed_mps", Need::kOptional, kSpeed, limits.descent_speed_mps);
   section->angle_deg("turn_max_deg", Need::kOptional, above_to(0, 180), limits.turn_max_rad);
   section->angle_deg("climb_max_deg", Need::kOptional, above_to(0, 89), limits.climb_max_rad);
-  read_energy_model(*section, scenario.vehicle.energy);
+  read_energy_model(*section, scenario.vehicle);
   section->finish();
 }
 

@@ -20,6 +20,33 @@ planner::Terrain random_terrain(Rng& rng) {
   return *planner::mountains_terrain(hills, Vec2(-200.0, -200.0), Vec2(400.0, 200.0), 5.0);
 }
 
+/// All of them fly at about a unit per second.
+EnergyModel random_energy(Rng& rng) {
+  EnergyModel out;
+  const double kind = rng.uniform();
+  if (kind > 0.2) {
+    out = {rng.uniform(0.5, 1.2), rng.uniform(0.7, 1.5), rng.uniform(0.3, 1.2), rng.uniform(0.5, 1.2),
+           rng.uniform() < 0.5 ? 0.0 : rng.uniform(0.0, 0.02)};
+  }
+  if (kind > 0.5) {
+    out.altitude_per_m = rng.uniform(0.0, 0.01);
+    out.altitude_from_m = rng.uniform(-10.0, 100.0);
+  }
+  if (kind > 0.7) {
+    Multirotor craft;
+    craft.mass_kg = rng.uniform(1.0, 6.0);
+    craft.payload_kg = rng.uniform(0.0, 2.0);
+    craft.rotors = 4 + 2 * static_cast<int>(rng.below(3));
+    craft.rotor_radius_m = rng.uniform(0.12, 0.3);
+    craft.drag_area_m2 = rng.uniform(0.01, 0.1);
+    craft.air_speed_max_mps = 40.0;
+    out.multirotor = craft;
+    out.wind_mps = Vec2(rng.uniform(-8.0, 8.0), rng.uniform(-8.0, 8.0));
+    out.unit_j = power_w(craft, Vec3::Zero());
+  }
+  return out;
+}
+
 void add_no_fly(Rng& rng, Task& task) {
   const Vec2 centre(rng.uniform(-100.0, 250.0), rng.uniform(-80.0, 80.0));
   const double half = rng.uniform(5.0, 20.0);
@@ -52,8 +79,7 @@ ReplayTask random_replay_task(std::uint64_t seed) {
   task.battery.reserve = rng.uniform(2.0, 10.0);
   task.battery.levels = rng.uniform() < 0.05 ? 10 : 1 + static_cast<int>(rng.below(4));
   task.battery.charge_s_per_unit = rng.uniform(0.2, 3.0);
-  task.battery.model = {rng.uniform(0.5, 1.2), rng.uniform(0.7, 1.5), rng.uniform(0.3, 1.2),
-                        rng.uniform(0.5, 1.2), rng.uniform() < 0.5 ? 0.0 : rng.uniform(0.0, 0.02)};
+  task.battery.model = random_energy(rng);
   task.charger.speed_mps = rng.uniform(0.8, 4.0);
   task.charger.take_off_s = rng.uniform(0.0, 8.0);
   task.charger.landing_s = rng.uniform(0.0, 8.0);

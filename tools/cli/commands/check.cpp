@@ -4,6 +4,7 @@
 
 #include <fmt/core.h>
 
+#include "coverage/task/energy_of.hpp"
 #include "planner/path/certifier.hpp"
 #include "planner/world/clearance.hpp"
 #include "tools/cli/commands.hpp"
@@ -52,7 +53,7 @@ Answer answer_of(const CheckOptions& options, const Scene& scene, const planner:
   json["clearance_min_m"] = certificate.clearance_min_m;
   json["length_m"] = planner::length_m(path);
   json["duration_s"] = path.back().time_s - path.front().time_s;
-  json["energy_used"] = energy_of(path, scene.scenario.vehicle.energy);
+  json["energy_used"] = energy_of(path, coverage::energy_model_of(scene.scenario));
   json["energy_min"] = nullptr;
   if (scene.scenario.coverage)
     json["energy_min"] = scene.scenario.coverage->battery.capacity - json["energy_used"].get<double>();

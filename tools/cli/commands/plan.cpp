@@ -9,6 +9,7 @@
 
 #include <fmt/core.h>
 
+#include "coverage/task/energy_of.hpp"
 #include "planner/base/clock.hpp"
 #include "planner/replan/front_plan.hpp"
 #include "tools/cli/commands.hpp"
@@ -74,7 +75,7 @@ planner::CostSpec cost_of(const PlanOptions& options, const planner::Scenario& s
     cost.preset = "NMOPSO";
   }
   if (planning.altitude_m) cost.altitude = {planning.altitude_m->x(), planning.altitude_m->y()};
-  const planner::EnergyRates& rates = scenario.vehicle.energy;
+  const planner::EnergyRates rates = coverage::still_air_rates_of(scenario);
   const double to_rad = scenario.wind.direction_rad;
   cost.energy = {rates.level_per_s, rates.climb_per_s, rates.descent_per_s, rates.hover_per_s,
                  scenario.wind.speed_mps * Vec2(std::sin(to_rad), std::cos(to_rad))};

@@ -103,7 +103,7 @@ TEST(PlanFile, GeoJsonAroundAnOriginIsLongitudeLatitudeElevation) {
 }
 
 TEST(Energy, EachPhaseHasItsRate) {
-  const planner::EnergyRates rates{
+  const coverage::EnergyModel rates{
       .level_per_s = 2, .climb_per_s = 3, .descent_per_s = 0.5, .hover_per_s = 1, .landed_per_s = 0};
   // up 4.25 s, level 5.25 s, standing 2 s, down 4.5 s
   EXPECT_DOUBLE_EQ(energy_of(some_report().plan.path, rates), 4.25 * 3 + 5.25 * 2 + 2 * 1 + 4.5 * 0.5);

@@ -42,6 +42,33 @@ TEST(Battery, DrawsByPhase) {
   EXPECT_NEAR(drawn_in(battery, {.on_ground = true}, 10.0), 1.0, 1e-9);
 }
 
+TEST(Battery, DrawsMoreHighUp) {
+  planner::Scenario scenario = calm();
+  scenario.vehicle.energy.altitude_per_m = 0.01;
+  scenario.vehicle.energy.altitude_from_m = 100.0;
+  Battery battery(scenario, 500.0, 1);
+  Load load = kLevel;
+  load.altitude_m = 90.0;
+  EXPECT_NEAR(drawn_in(battery, load, 10.0), 10.0, 1e-9);
+  load.altitude_m = 120.0;
+  EXPECT_NEAR(drawn_in(battery, load, 10.0), 12.0, 1e-9);
+}
+
+TEST(Battery, AMultirotorsPowerIsThatOfItsSpeedThroughTheAir) {
+  planner::Scenario scenario = calm();
+  scenario.vehicle.multirotor.emplace();
+  scenario.wind = {.speed_mps = 4.0, .direction_rad = std::numbers::pi / 2};  // blows to the east
+  Battery in_wind(scenario, 500.0, 1);
+  const double against = drawn_in(in_wind, {.on_ground = false, .velocity_mps = Vec3(-10, 0, 0)}, 10.0);
+  scenario.wind = {};
+  Battery calm_air(scenario, 500.0, 1);
+  EXPECT_NEAR(drawn_in(calm_air, {.on_ground = false, .velocity_mps = Vec3(14, 0, 0)}, 10.0), against, 1e-9);
+  EXPECT_LT(drawn_in(calm_air, kLevel, 10.0), against);
+  EXPECT_NEAR(drawn_in(calm_air, {.on_ground = false}, 3600.0 / 10.0) * 10.0,
+              coverage::power_w(coverage::Multirotor{}, Vec3::Zero()), 1e-6)
+      << "a unit is a Wh";
+}
+
 TEST(Battery, ChargesUpToItsCapacityAndNotAbove) {
   Battery battery(calm(), 100.0, 1);
   battery.lose(30.0);
