@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "coverage/field/detail/line_gain.hpp"
 #include "coverage/field/detail/patch.hpp"
 #include "coverage/field/detail/simplify.hpp"
 #include "planner/base/rng.hpp"
@@ -51,11 +52,6 @@ struct Candidate {
   Interval limits;
   PiecePtr base;
   double noise = 1.0;
-};
-
-struct Gain {
-  double rate = 0.0;  ///< area seen per metre of cost
-  Interval stretch;
 };
 
 /// Whether a band's two directions leave no gap between it and the other.
@@ -112,8 +108,7 @@ class LineSearch {
                                     const Cover& cover);
   void add_line(const Line& line, const std::vector<Patch>& open, std::vector<Candidate>& out);
   void add_direction(const Vec2& along, const std::vector<Patch>& open, std::vector<Candidate>& out);
-  Gain gain_of(const Candidate& candidate, const std::vector<Patch>& open) const;
-  Gain gain_beyond(const Candidate& candidate, const std::vector<std::pair<Interval, double>>& seen) const;
+  LineGain gain_of(const Candidate& candidate, const std::vector<Patch>& open) const;
   void draw_in(Cover& cover, const std::vector<PiecePtr>& around) const;
   void draw_in_one(Cover& cover, std::size_t at) const;
 
@@ -249,68 +244,10 @@ std::vector<Candidate> LineSearch::candidates(const std::vector<Patch>& open,
   return out;
 }
 
-/// Drawing a piece on at one of its ends.
-Gain LineSearch::gain_beyond(const Candidate& candidate,
-                             const std::vector<std::pair<Interval, double>>& seen) const {
-  const double length = candidate.base->segment.length_m();
-  Gain best;
-  const auto look = [&](double to, double area, bool forward) {
-    const double more = std::max(forward ? to - length : -to, kShortest_m);
-    if (area / more <= best.rate) return;
-    best.rate = area / more;
-    best.stretch = forward ? Interval{0.0, std::max(length, to)} : Interval{std::min(0.0, to), length};
-  };
-  double area = 0.0;
-  double reach = length;
-  for (const auto& [extent, m2] : seen) {
-    if (extent.to <= length / 2.0) continue;
-    area += m2;
-    reach = std::max(reach, extent.to);
-    look(reach, area, true);
-  }
-  area = 0.0;
-  reach = 0.0;
-  for (auto at = seen.rbegin(); at != seen.rend(); ++at) {
-    if (at->first.from >= length / 2.0) continue;
-    area += at->second;
-    reach = std::min(reach, at->first.from);
-    look(reach, area, false);
-  }
-  best.stretch.from = std::max(best.stretch.from, candidate.limits.from);
-  best.stretch.to = std::min(best.stretch.to, candidate.limits.to);
-  return best;
-}
-
-Gain LineSearch::gain_of(const Candidate& candidate, const std::vector<Patch>& open) const {
-  const Band band{candidate.line,
-                  {candidate.limits.from - kInside_m, candidate.limits.to + kInside_m},
-                  params_.width_m / 2.0};
-  std::vector<std::pair<Interval, double>> seen;
-  for (const Patch& patch : open) {
-    const BandPart part = part_in_band(patch, band);
-    if (part.area_m2 > 0.0) seen.emplace_back(part.extent, part.area_m2);
-  }
-  std::sort(seen.begin(), seen.end(),
-            [](const auto& a, const auto& b) { return a.first.from < b.first.from; });
-  if (candidate.base != nullptr) return gain_beyond(candidate, seen);
-  Gain best;
-  double area = 0.0;
-  Interval run;
-  for (std::size_t i = 0; i <= seen.size(); ++i) {
-    const bool ends = i == seen.size() || seen[i].first.from - run.to > params_.piece_cost_m;
-    if (area > 0.0 && ends) {
-      const double rate = area / (params_.piece_cost_m + run.to - run.from);
-      if (rate > best.rate) best = {rate, run};
-      area = 0.0;
-    }
-    if (i == seen.size()) break;
-    if (area <= 0.0) run = seen[i].first;
-    area += seen[i].second;
-    run.to = std::max(run.to, seen[i].first.to);
-  }
-  best.stretch.from = std::max(best.stretch.from, candidate.limits.from);
-  best.stretch.to = std::min(best.stretch.to, candidate.limits.to);
-  return best;
+LineGain LineSearch::gain_of(const Candidate& candidate, const std::vector<Patch>& open) const {
+  const LineInView view(candidate.line, candidate.limits, params_.width_m, open);
+  return candidate.base != nullptr ? view.drawn_on(candidate.base->segment.length_m())
+                                   : view.flown(params_.piece_cost_m);
 }
 
 /// Greedy; a candidate's gain only shrinks, so that those behind the best known need no second look. False
@@ -327,7 +264,7 @@ bool LineSearch::recover(std::vector<Patch>& open, const std::vector<PiecePtr>& 
     const auto [rate, at] = queue.back();
     queue.pop_back();
     Candidate& candidate = all[at];
-    const Gain gain = gain_of(candidate, open);
+    const LineGain gain = gain_of(candidate, open);
     const bool no_longer = candidate.base != nullptr && gain.stretch.to - gain.stretch.from <
                                                             candidate.base->segment.length_m() + kBetter_m;
     if (gain.rate <= 0.0 || no_longer || gain.stretch.to - gain.stretch.from < kShortest_m) continue;
