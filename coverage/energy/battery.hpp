@@ -1,8 +1,11 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 
+#include "coverage/energy/charging.hpp"
 #include "coverage/energy/model.hpp"
+#include "coverage/ground/ground_travel.hpp"
 #include "planner/base/checks.hpp"
 #include "planner/base/result.hpp"
 #include "planner/base/vec.hpp"
@@ -14,7 +17,11 @@ struct Battery {
   double reserve = 25.0;           ///< never to be used, on the ground neither
   int levels = 10;                 ///< k: steps of the graph [COV 3]; the schedule itself is continuous
   double charge_s_per_unit = 2.0;  ///< r
+  double taper_from = 1.0;         ///< see ChargingCurve; 1: charging is linear
+  double taper_end_rate = 0.1;
   EnergyModel model;
+
+  ChargingCurve charging() const { return {charge_s_per_unit, capacity, taper_from, taper_end_rate}; }
 };
 
 /// The ground robot.
@@ -24,7 +31,16 @@ struct Charger {
   double take_off_s = 5.0;  ///< handling time on the robot, besides the flight itself
   double landing_s = 5.0;
   Vec3 start_m = Vec3::Zero();
+  std::shared_ptr<const GroundTravel> travel{};  ///< none: straight over open ground at its speed
 };
+
+/// Seconds from one place to another; infinite when the robot cannot get there.
+inline double drive_s(const Charger& charger, const Vec2& from, const Vec2& to) {
+  return charger.travel ? charger.travel->drive_s(from, to) : (to - from).norm() / charger.speed_mps;
+}
+inline double drive_s(const Charger& charger, const Vec3& from, const Vec3& to) {
+  return drive_s(charger, Vec2(from.head<2>()), Vec2(to.head<2>()));
+}
 
 /// The energy model is judged by itself: it needs the vehicle.
 inline Status validate(const Battery& battery) {
@@ -35,6 +51,10 @@ inline Status validate(const Battery& battery) {
     return bad_input("The battery must have 1 to 1000 levels.");
   if (!is_non_negative(battery.charge_s_per_unit))
     return bad_input("The charging time per unit must not be negative.");
+  if (!is_within(battery.taper_from, 0.0, 1.0))
+    return bad_input("The share of the capacity where charging slows down must be 0 to 1.");
+  if (!is_within(battery.taper_end_rate, 1e-3, 1.0))
+    return bad_input("The share of the charging rate left when full must be 0.001 to 1.");
   return {};
 }
 

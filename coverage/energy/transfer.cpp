@@ -1,6 +1,7 @@
 #include "coverage/energy/transfer.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace swallowtail::coverage {
 namespace {
@@ -19,9 +20,9 @@ std::optional<TransferChoice> charge_stop(double arrives, double needs, double f
                                           const TransferTerms& terms) {
   if (arrives < terms.reserve - kRounding || needs > terms.capacity + kRounding) return std::nullopt;
   const double charged = std::max(0.0, needs - arrives);
-  return TransferChoice{Transfer::kFF,
-                        flight_s + terms.landing_s + charged * terms.charge_s_per_unit + terms.take_off_s,
-                        charged};
+  return TransferChoice{
+      Transfer::kFF, flight_s + terms.landing_s + terms.charging.seconds(arrives, needs) + terms.take_off_s,
+      charged};
 }
 
 std::optional<TransferChoice> fly_both(const LegLink& link, double exit, double entry,
@@ -45,7 +46,7 @@ std::optional<TransferChoice> be_carried(const LegLink& link, double exit, doubl
   const double needs = entry + link.lift_at_entry.energy * t.energy_factor;
   if (arrives < t.reserve - kRounding || needs > t.capacity + kRounding) return std::nullopt;
   const double charged = std::max(0.0, needs - arrives);
-  const double on_board = std::max(link.drive_s, charged * t.charge_s_per_unit);
+  const double on_board = std::max(link.drive_s, t.charging.seconds(arrives, needs));
   return TransferChoice{
       Transfer::kFDTU,
       link.land_at_exit.time_s + t.landing_s + on_board + t.take_off_s + link.lift_at_entry.time_s, charged};
@@ -70,14 +71,19 @@ LegLink link_legs(const FlownLeg& from, const FlownLeg& to, const FlightModel& m
   out.lift_at_entry = model.take_off(to.entry_m);
   out.ground_to_ground = model.take_off_to(from.exit_m, to.entry_m, std::nullopt) + model.landing(to.entry_m);
   const double distance = (to.entry_m.head<2>() - from.exit_m.head<2>()).norm();
-  out.drive_s = distance / charger.speed_mps;
-  out.same_site = distance < kSameSite_m;
+  out.drive_s = drive_s(charger, from.exit_m, to.entry_m);
+  out.same_site = distance < kSameSite_m || !std::isfinite(out.drive_s);
+  out.meets_at_exit = std::isfinite(drive_s(charger, charger.start_m, from.exit_m));
+  out.meets_at_entry = std::isfinite(drive_s(charger, charger.start_m, to.entry_m));
   return out;
 }
 
 std::optional<TransferChoice> try_transfer(Transfer type, const LegLink& link, double energy_at_exit,
                                            double energy_at_entry, const TransferTerms& t) {
   std::optional<TransferChoice> out;
+  const bool at_exit = type == Transfer::kFDUF || type == Transfer::kFDUFDU || type == Transfer::kFDTU;
+  const bool at_entry = type == Transfer::kFFDU || type == Transfer::kFDUFDU;
+  if ((at_exit && !link.meets_at_exit) || (at_entry && !link.meets_at_entry)) return out;
   switch (type) {
     case Transfer::kFF:
       if (energy_at_exit - link.hop.energy * t.energy_factor >= energy_at_entry - kRounding)

@@ -24,7 +24,10 @@ struct LegLink {
   FlightCost lift_at_entry;     ///< ground at the entry → entry
   FlightCost ground_to_ground;  ///< ground at the exit → ground at the entry, by air
   double drive_s = 0.0;         ///< ground robot from one site to the other
-  bool same_site = false;       ///< exit and entry are one place: being carried makes no sense
+  bool same_site =
+      false;  ///< being carried makes no sense: exit and entry are one place, or no way joins them
+  bool meets_at_exit = true;  ///< the robot can get there
+  bool meets_at_entry = true;
 };
 
 /// A leg as it is flown.
@@ -40,7 +43,7 @@ LegLink link_legs(const FlownLeg& from, const FlownLeg& to, const FlightModel& m
 struct TransferTerms {
   double capacity = 500.0;
   double reserve = 25.0;
-  double charge_s_per_unit = 2.0;
+  ChargingCurve charging{};
   double take_off_s = 5.0;
   double landing_s = 5.0;
   double energy_factor = 1.0;  ///< predicted energies are multiplied by this: allowance for wind and noise

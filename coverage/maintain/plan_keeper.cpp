@@ -232,8 +232,7 @@ bool PlanKeeper::on_robot(const RobotView& robot) {
   if (!vehicle_ || plan_.rendezvous.empty() || robot.has_vehicle || vehicle_->mode == AircraftMode::kDocked)
     return false;
   Rendezvous& next = plan_.rendezvous.front();
-  const double arrives =
-      robot.time_s + flat_distance(robot.position_m, next.site_m) / task_.charger.speed_mps;
+  const double arrives = robot.time_s + drive_s(task_.charger, robot.position_m, next.site_m);
   const double late = arrives - std::max(next.land_s, next.robot_arrives_s);
   if (late < params_.time_tolerance_s || robot.time_s < last_shift_s_ + kShiftEvery_s) return false;
   last_shift_s_ = robot.time_s;

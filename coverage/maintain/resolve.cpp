@@ -35,7 +35,7 @@ double PlanKeeper::robot_arrives_s(const Vec3& site_m) const {
   const double now = vehicle_ ? vehicle_->time_s : 0.0;
   const Vec3& from = robot_ ? robot_->position_m : task_.charger.start_m;
   const double delay = robot_ && robot_->is_delayed ? kDelay_s : 0.0;
-  return now + delay + flat_distance(from, site_m) / task_.charger.speed_mps;
+  return now + delay + drive_s(task_.charger, from, site_m);
 }
 
 ScheduleStart PlanKeeper::start_in_air() const {
@@ -173,6 +173,7 @@ bool PlanKeeper::land_at_once(std::vector<Leg> legs, const Vec3& at_m, const std
     start.kind = StartKind::kDocked;
     start.position_m = flight.ground(at_m);
     start.time_s = std::max(down_s, robot_arrives_s(at_m)) + task_.charger.landing_s;
+    if (!std::isfinite(start.time_s)) return false;
     start.energy = first.energy_after;
     auto later = plan_rest({std::move(legs), 0}, start, plan_.legs_done + 1, flight, rest_params());
     if (!later) return false;
@@ -215,6 +216,7 @@ bool PlanKeeper::solve_on_ground(const std::string& reason) {
   }
   start.kind = StartKind::kDocked;
   const double arrives = std::max(vehicle_->time_s, robot_arrives_s(site));
+  if (!std::isfinite(arrives)) return false;
   start.time_s = arrives + task_.charger.landing_s;
   Vec3 above = site;
   above.z() = std::max(legs.front().entry_m.z(), site.z() + task_.vehicle.clearance_m() + kAboveGround_m);
@@ -251,7 +253,8 @@ bool PlanKeeper::solve_docked(const std::string& reason) {
   start.time_s = vehicle_->mode == AircraftMode::kDocked
                      ? vehicle_->time_s
                      : std::max(vehicle_->time_s, robot_arrives_s(meeting.site_m)) + task_.charger.landing_s;
-  start.time_s += flat_distance(vehicle_->position_m, start.position_m) / task_.charger.speed_mps;
+  start.time_s += drive_s(task_.charger, vehicle_->position_m, start.position_m);
+  if (!std::isfinite(start.time_s)) return false;
   start.energy = energy_now();
   // Carried to an entry, it takes off there: that leg stays the next.
   auto found =

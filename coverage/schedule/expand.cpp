@@ -41,6 +41,15 @@ Vec3 place(const Site& site, std::span<const RouteLeg> route, const FlightModel&
   return model.ground(site.kind == Site::Kind::kExit ? leg.exit_m : leg.entry_m);
 }
 
+/// Of the robot's way.
+std::vector<Vec3> bends(const LinkCache& links, const Vec3& from, const Vec3& to) {
+  std::vector<Vec3> out;
+  if (!links.charger().travel) return out;
+  for (const Vec2& p : links.charger().travel->bends(from.head<2>(), to.head<2>()))
+    out.push_back(links.model().ground(Vec3(p.x(), p.y(), 0.0)));
+  return out;
+}
+
 std::vector<Vec3> bends(const FlightModel& model, const Vec3& from, const Vec3& to) {
   const std::vector<Vec3> way = model.way(from, to);
   return {way.begin() + 1, way.end() - 1};
@@ -68,6 +77,7 @@ Expansion expand(std::span<const SubCell> sub_cells, std::span<const Visit> visi
     out.legs.push_back(leg);
   }
   for (const Sortie& sortie : stops.sorties) date_legs(sortie, route, start, links, out.legs);
+  Vec3 robot_m = start.kind == StartKind::kDocked ? start.position_m : start.robot_m;
   for (std::size_t k = 0; k < stops.recharges.size(); ++k) {
     const Recharge& recharge = stops.recharges[k];
     const Sortie& next = stops.sorties[k + 1];
@@ -94,6 +104,9 @@ Expansion expand(std::span<const SubCell> sub_cells, std::span<const Visit> visi
     meeting.carry = recharge.carried_to.has_value();
     meeting.carry_to_m =
         recharge.carried_to ? place(*recharge.carried_to, route, links.model()) : meeting.site_m;
+    meeting.robot_bends_m = bends(links, robot_m, meeting.site_m);
+    meeting.carry_bends_m = bends(links, meeting.site_m, meeting.carry_to_m);
+    robot_m = meeting.carry_to_m;
     out.rendezvous.push_back(meeting);
   }
   if (!out.legs.empty()) out.legs.back().transfer = Transfer::kEnd;

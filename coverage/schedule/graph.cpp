@@ -85,7 +85,7 @@ class ArcBuilder {
     const bool counts = params.levels > 1;
     terms_ = {counts ? battery.capacity : kNoBattery,
               battery.reserve,
-              battery.charge_s_per_unit,
+              battery.charging(),
               params.stops.charger.take_off_s,
               params.stops.charger.landing_s,
               counts ? factor_ : 0.0};
@@ -147,9 +147,8 @@ void ArcBuilder::add_from_start() {
       for (int level = std::max(reached + 1, least); level <= params_.levels; ++level) {
         const double needs = energy_of(level) + lift.energy * factor_;
         if (needs > terms_.capacity) break;
-        arcs_.push_back(
-            {0, vertex(j, side, level),
-             (needs - start_.energy) * terms_.charge_s_per_unit + lift.time_s + cover_[j].time_s});
+        arcs_.push_back({0, vertex(j, side, level),
+                         terms_.charging.seconds(start_.energy, needs) + lift.time_s + cover_[j].time_s});
       }
     }
   }

@@ -26,10 +26,16 @@ void kick(Descent& descent, std::size_t first_free, Rng& rng) {
   descent.put(first, swapped);
 }
 
-}  // namespace
+/// The same battery, charged at its mean rate throughout.
+Battery charged_evenly(Battery battery) {
+  const double from = battery.reserve;
+  battery.charge_s_per_unit = battery.charging().seconds(from, battery.capacity) / (battery.capacity - from);
+  battery.taper_from = 1.0;
+  return battery;
+}
 
-ImproveReport improve_order(std::span<const SubCell> sub_cells, std::vector<Visit> visits,
-                            const ScheduleStart& start, LinkCache& links, const ImproveParams& params) {
+ImproveReport search(std::span<const SubCell> sub_cells, std::vector<Visit> visits,
+                     const ScheduleStart& start, LinkCache& links, const ImproveParams& params) {
   if (visits.size() <= params.first_free) return {std::move(visits), start.time_s, 0};
   Descent descent(sub_cells, std::move(visits), start, links, params);
   descent.run();
@@ -54,6 +60,29 @@ ImproveReport improve_order(std::span<const SubCell> sub_cells, std::vector<Visi
     }
   }
   return {std::move(best), least_s, descent.evaluations()};
+}
+
+}  // namespace
+
+ImproveReport improve_order(std::span<const SubCell> sub_cells, std::vector<Visit> visits,
+                            const ScheduleStart& start, LinkCache& links, const ImproveParams& params) {
+  if (params.aim == Aim::kFlight || params.stops.battery.charging().is_linear())
+    return search(sub_cells, std::move(visits), start, links, params);
+  // OrderValue knows one charging rate: what it finds is judged by the true curve.
+  ImproveParams even = params;
+  even.stops.battery = charged_evenly(params.stops.battery);
+  ImproveReport found = search(sub_cells, visits, start, links, even);
+  StopPlanner exact(links, params.stops);
+  const auto end_s = [&](const std::vector<Visit>& order) {
+    std::vector<RouteLeg> route;
+    for (const Visit& visit : order) route.push_back(route_leg(sub_cells[visit.sub_cell], visit));
+    return exact.end_of(route, start);
+  };
+  const double before_s = end_s(visits);
+  found.end_s = end_s(found.visits);
+  found.evaluations += 2;
+  if (found.end_s <= before_s) return found;
+  return {std::move(visits), before_s, found.evaluations};
 }
 
 std::vector<Visit> boustrophedon_order(std::span<const SubCell> sub_cells, const Vec3& from_m) {

@@ -33,7 +33,8 @@ struct ImproveReport {
 /// to where a site near one of its ends is, each leg looked at again only when
 /// something near it has changed. At a local optimum two neighbouring stretches change places at random and
 /// it goes on from there, back when that was no better. Under kSchedule, moves that lengthen the flight by
-/// more than a rendezvous costs are not tried. Deterministic; stops when `stop` says so.
+/// more than a rendezvous costs are not tried. Where charging is not linear the search takes its mean rate,
+/// and the true schedules of what it began and ended with decide. Deterministic; stops when `stop` says so.
 ImproveReport improve_order(std::span<const SubCell> sub_cells, std::vector<Visit> visits,
                             const ScheduleStart& start, LinkCache& links, const ImproveParams& params);
 

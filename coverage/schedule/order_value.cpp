@@ -37,7 +37,7 @@ OrderValue::Cost OrderValue::landing(std::size_t node) const {
 }
 
 double OrderValue::drive_s(const Vec2& from, const Vec2& to) const {
-  return (to - from).norm() / params_.charger.speed_mps;
+  return coverage::drive_s(params_.charger, from, to);
 }
 
 /// On the robot before a flight, and after it.
@@ -54,6 +54,7 @@ bool OrderValue::make_flight(std::size_t from, std::size_t to, const Cost& air, 
   const double at_once = battery.reserve + air.energy * params_.energy_factor + params_.spare;
   if (at_once > battery.capacity + kRounding) return false;
   const double drive = ends ? 0.0 : drive_s(site(from), site(to));
+  if (!std::isfinite(drive)) return false;
   const double grounded =
       ends ? 0.0 : battery.model.landed_per_s * (std::max(0.0, drive - air.time_s) + charger.landing_s);
   out.needs = at_once + grounded;
@@ -67,7 +68,8 @@ bool OrderValue::make_flight(std::size_t from, std::size_t to, const Cost& air, 
 bool OrderValue::first_flight(std::size_t to, const Cost& air, Point& docked) const {
   const Battery& battery = params_.battery;
   const bool ends = to == end_node();
-  const double drive = (site(to) - start_.robot_m.head<2>()).norm() / params_.charger.speed_mps;
+  const double drive = ends ? 0.0 : drive_s(start_.robot_m.head<2>(), site(to));
+  if (!std::isfinite(drive)) return false;
   const double robot_s = start_.robot_free_s + drive;
   const double land_s = start_.time_s + air.time_s;
   const double grounded =

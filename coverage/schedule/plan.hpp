@@ -47,6 +47,9 @@ struct Rendezvous {
   double wait_s = 0.0;     ///< of the aircraft, landed
   bool carry = false;
   Vec3 carry_to_m = Vec3::Zero();
+  /// Where the robot's ways to the site, and on to where it carries the aircraft, bend; empty when straight.
+  std::vector<Vec3> robot_bends_m{};
+  std::vector<Vec3> carry_bends_m{};
 };
 
 struct FieldReport {

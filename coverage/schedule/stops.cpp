@@ -63,6 +63,7 @@ struct StopPlanner::Search {
   double landing_time_s = 0.0;      // one landing in between adds at least so much to time_left
   double landing_price = 0.0;       // and to price_left
   double cutoff_s = kInfinity;
+  ChargingCurve charging;
   FlightCost start_lift;
   FlightCost end_landing;
   std::vector<Label> labels;
@@ -161,9 +162,9 @@ void StopPlanner::Search::add(const Label& label) {
     cutoff_s = std::min(cutoff_s, label.time_s);
     return;
   }
-  const double price = params->battery.charge_s_per_unit;
+  // Charged to the other's energy, it is there no later; and charging is never quicker with more held.
   const auto beats = [&](const Label& a, const Label& b) {
-    return a.time_s + price * std::max(0.0, b.energy - a.energy) <= b.time_s + kRounding;
+    return a.time_s + charging.seconds(a.energy, b.energy) <= b.time_s + kRounding;
   };
   std::vector<int>& here = at[static_cast<std::size_t>(label.node)];
   for (const int other : here) {
@@ -183,7 +184,8 @@ bool StopPlanner::Search::fly(int from, const FlightCost& flight, int to) {
   const bool can_charge = !at_start || start->kind == StartKind::kDocked;
   const bool ends = to == end_node();
   const Vec3 robot_from = at_start && start->kind != StartKind::kDocked ? start->robot_m : site(label.node);
-  const double drive = ground_distance(robot_from, site(to)) / charger.speed_mps;
+  const double drive = drive_s(charger, robot_from, site(to));
+  if (!ends && !std::isfinite(drive)) return false;
   const bool robot_free = at_start && start->kind != StartKind::kDocked;
   const double slack = robot_free ? start->robot_free_s - label.time_s : 0.0;
   const double wait = ends ? 0.0 : std::max(0.0, drive + slack - flight.time_s);
@@ -196,8 +198,8 @@ bool StopPlanner::Search::fly(int from, const FlightCost& flight, int to) {
   if (!can_charge && needs > label.energy + kRounding) return false;
   Label next;
   next.energy_at_take_off = std::max(label.energy, needs);
-  const double charging = (next.energy_at_take_off - label.energy) * battery.charge_s_per_unit;
-  next.take_off_s = label.time_s + (can_charge ? charging + charger.take_off_s + params->lead_s : 0.0);
+  const double charging_s = charging.seconds(label.energy, next.energy_at_take_off);
+  next.take_off_s = label.time_s + (can_charge ? charging_s + charger.take_off_s + params->lead_s : 0.0);
   next.land_s = next.take_off_s + flight.time_s;
   next.energy_on_landing = next.energy_at_take_off - flight.energy;
   next.robot_arrives_s = robot_free ? start->robot_free_s + drive : next.take_off_s + drive;
@@ -216,14 +218,12 @@ void StopPlanner::Search::carry(int id) {
   const auto leg = static_cast<std::size_t>(label.node / 2);
   if (links[leg]->same_site || label.carried) return;
   const double drive = links[leg]->drive_s;
-  const double price = params->battery.charge_s_per_unit;
-  const double room = std::max(0.0, params->battery.capacity - label.energy);
   Label next = label;
   next.carried = true;
   next.parent = id;
   next.node = label.node + 1;
   next.time_s = label.time_s + drive;
-  next.energy = label.energy + (price > 0.0 ? std::min(room, drive / price) : room);
+  next.energy = charging.energy_after(label.energy, drive);
   add(next);
 }
 
@@ -250,6 +250,7 @@ void StopPlanner::run(std::span<const RouteLeg> legs, const ScheduleStart& start
   search.legs = legs;
   search.start = &start;
   search.params = &params_;
+  search.charging = params_.battery.charging();
   search.prepare(*links_);
   Label first;
   first.time_s = start.time_s;

@@ -84,6 +84,7 @@ class LinkCache {
   LinkCache(const FlightModel& model, const Charger& charger) : model_(model), charger_(charger) {}
   const LegLink& get(std::uint32_t from_id, const FlownLeg& from, std::uint32_t to_id, const FlownLeg& to);
   const FlightModel& model() const { return model_; }
+  const Charger& charger() const { return charger_; }
 
  private:
   FlightModel model_;
@@ -102,7 +103,8 @@ FlightCost lift_to_first(const FlightModel& model, const ScheduleStart& start, c
 
 /// Decides, for legs in a given order, where to land, charge and be carried, and how much to charge, so that
 /// the last landing is earliest: exact by labels over the possible landings (time against energy, energy
-/// priced at the charging rate), battery continuous. The robot drives from rendezvous to rendezvous; if it is
+/// priced by the charging curve; since that is never quicker with more energy held, charging is put off until
+/// a flight needs it), battery continuous. The robot drives from rendezvous to rendezvous; if it is
 /// late the aircraft waits landed. Every landing is predicted to keep the reserve with energy_factor to
 /// spare. Departs from [COV]: battery levels and drive times that the graph leaves out.
 class StopPlanner {

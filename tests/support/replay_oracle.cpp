@@ -6,7 +6,6 @@
 #include <map>
 
 #include "tests/support/replay_cover.hpp"
-#include "tests/support/replay_robot.hpp"
 
 namespace swallowtail::test_support {
 namespace {
@@ -23,7 +22,11 @@ double flat(const Vec3& a, const Vec3& b) { return std::hypot(a.x() - b.x(), a.y
 class Replay {
  public:
   Replay(const coverage::Task& task, const coverage::Plan& plan, const ReplayQuestion& question)
-      : task_(task), plan_(plan), question_(question), flight_(task, question.step_s), robot_(task) {}
+      : task_(task),
+        plan_(plan),
+        question_(question),
+        flight_(task, question.step_s),
+        robot_(task, question.robot, question.ground_m) {}
 
   ReplayVerdict run() {
     check_order();
@@ -157,7 +160,7 @@ void Replay::meet(std::uint32_t id, const Vec3& below) {
     fail(name + " is not on the ground below its leg's end");
   land(name);
   claim(name + " landing", r.land_s, flight_.time_s, question_.time_tolerance_s);
-  const double arrives = robot_.free_s + robot_.drive_to(r.site_m);
+  const double arrives = robot_.free_s + robot_.drive_to(r.robot_bends_m, r.site_m, verdict_.faults);
   at_least(name + ", robot's arrival", r.robot_arrives_s, arrives - question_.time_tolerance_s);
   const double wait = std::max(0.0, r.robot_arrives_s - flight_.time_s);
   claim(name + " waiting", r.wait_s, wait, question_.time_tolerance_s);
@@ -170,7 +173,7 @@ void Replay::meet(std::uint32_t id, const Vec3& below) {
   at_least(name + ", capacity", task_.battery.capacity, r.charge_to);
   if (r.charge_to > r.energy_from + 1e-9) ++recharges_;
   double together = charging_s(task_, held, r.charge_to);
-  if (r.carry) together = std::max(together, robot_.drive_to(r.carry_to_m));
+  if (r.carry) together = std::max(together, robot_.drive_to(r.carry_bends_m, r.carry_to_m, verdict_.faults));
   at_least(name + ", departure", r.depart_s + question_.time_tolerance_s * 2.0,
            docked + together + task_.charger.take_off_s + question_.lead_s);
   robot_.free_s = r.depart_s;

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "coverage/schedule/plan.hpp"
-#include "tests/support/replay_flight.hpp"
+#include "tests/support/replay_robot.hpp"
 
 /// Flies and drives a coverage plan from nothing but the task and the plan, in small steps, and holds what
 /// happens against what the plan says. Shares no code with coverage/.
@@ -12,6 +12,7 @@ namespace swallowtail::test_support {
 
 struct ReplayQuestion {
   GroundAt ground_m;
+  ReplayRoads robot;
   double lead_s = 1.0;  ///< from ready until the aircraft leaves the ground
   double energy_margin =
       0.0;                    ///< share of a flight's energy that must be left besides the reserve on landing

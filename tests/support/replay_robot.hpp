@@ -1,24 +1,44 @@
 #pragma once
 
+#include <limits>
+#include <string>
+#include <vector>
+
 #include "coverage/schedule/plan.hpp"
+#include "tests/support/replay_flight.hpp"
 
 namespace swallowtail::test_support {
 
 /// Seconds from one energy to a higher one, from the task's battery, summed in small steps.
 double charging_s(const coverage::Task& task, double from, double to);
 
+/// Where the robot may drive, as whoever made the task knows it.
+struct ReplayRoads {
+  std::vector<std::vector<Vec2>> roads;  ///< empty: it drives over open ground at its speed
+  double road_speed_mps = 1.0;
+  double off_road_speed_mps = 0.0;
+  std::vector<coverage::Polygon> forbidden;
+  double slope_max_rad = std::numeric_limits<double>::infinity();
+};
+
 /// Where the ground robot is, and when it may leave.
 class ReplayRobot {
  public:
-  explicit ReplayRobot(const coverage::Task& task) : task_(task), at_m_(task.charger.start_m) {}
+  ReplayRobot(const coverage::Task& task, const ReplayRoads& roads, const GroundAt& ground)
+      : task_(task), roads_(roads), ground_(ground), at_m_(task.charger.start_m) {}
 
-  /// Drives to a place as fast as it can; tells how long it takes.
-  double drive_to(const Vec3& place_m);
+  /// Drives from bend to bend to a place as fast as it can; tells how long it takes, and where it may not
+  /// drive.
+  double drive_to(const std::vector<Vec3>& bends_m, const Vec3& place_m, std::vector<std::string>& faults);
 
   double free_s = 0.0;
 
  private:
+  double piece_s(const Vec3& to_m, std::vector<std::string>& faults) const;
+
   const coverage::Task& task_;
+  const ReplayRoads& roads_;
+  const GroundAt& ground_;
   Vec3 at_m_;
 };
 

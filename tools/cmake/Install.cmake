@@ -1,7 +1,7 @@
 # find_package(swallowtail) after an install: the algorithms as libraries, without any DDS.
 include(CMakePackageConfigHelpers)
 
-set(SWALLOWTAIL_LIBRARIES base world path kernels scenario swarm cost replan gtsp field energy schedule maintain task)
+set(SWALLOWTAIL_LIBRARIES base world path kernels scenario swarm cost replan gtsp field ground energy schedule maintain task)
 foreach(library ${SWALLOWTAIL_LIBRARIES})
   install(TARGETS swallowtail_${library} EXPORT swallowtail-targets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 endforeach()

@@ -122,7 +122,10 @@ TEST(ReplayMutation, ACarriageFasterThanTheRobot) {
     Task task = planned.random.task;
     task.battery.charge_s_per_unit = 0.0;
     task.charger.speed_mps *= 1e-3;
-    const auto verdict = test_support::replay(task, planned.plan, test::question_of(planned.random));
+    test_support::ReplayQuestion question = test::question_of(planned.random);
+    question.robot.road_speed_mps *= 1e-3;
+    question.robot.off_road_speed_mps *= 1e-3;
+    const auto verdict = test_support::replay(task, planned.plan, question);
     EXPECT_THAT(verdict.faults, testing::Contains(HasSubstr("departure"))) << "seed " << planned.seed;
     ++slowed;
   }

@@ -2,6 +2,8 @@
 
 #include <vector>
 
+#include "coverage/ground/road_network.hpp"
+#include "coverage/ground/rough_ground.hpp"
 #include "planner/base/clock.hpp"
 #include "planner/base/rng.hpp"
 #include "tests/property/coverage/random_task.hpp"
@@ -55,6 +57,47 @@ void add_no_fly(Rng& rng, Task& task) {
                          {}});
 }
 
+/// Streets in a grid, or open ground with a slope limit and forbidden boxes.
+void set_ground(Rng& rng, ReplayTask& out) {
+  const double kind = rng.uniform();
+  if (kind < 0.6) return;
+  test_support::ReplayRoads& robot = out.robot;
+  if (kind < 0.85) {
+    RoadParams params;
+    const double apart = rng.uniform(30.0, 80.0);
+    const double turn = rng.uniform(0.0, 1.5);
+    const auto crossing = [&](int row, int col) -> Vec2 {
+      return rotated(Vec2(apart * col, apart * row), turn) + Vec2(80.0, 0.0);
+    };
+    for (int line = -5; line <= 5; ++line) {
+      params.lines.emplace_back();
+      for (int at = -5; at <= 5; ++at) params.lines.back().push_back(crossing(line, at));
+      params.lines.emplace_back();
+      for (int at = -5; at <= 5; ++at) params.lines.back().push_back(crossing(at, line));
+    }
+    params.speed_mps = rng.uniform(1.0, 5.0);
+    params.off_road_speed_mps = rng.uniform() < 0.2 ? 0.0 : rng.uniform(0.4, 2.0);
+    params.off_road_max_m = rng.uniform(20.0, 300.0);
+    robot.roads = params.lines;
+    robot.road_speed_mps = params.speed_mps;
+    robot.off_road_speed_mps = params.off_road_speed_mps;
+    out.task.charger.travel = *RoadNetwork::make(params);
+    return;
+  }
+  RoughGroundParams params;
+  params.lo_m = Vec2(-200.0, -200.0);
+  params.hi_m = Vec2(400.0, 200.0);
+  params.cell_m = rng.uniform(8.0, 16.0);
+  params.speed_mps = out.task.charger.speed_mps;
+  params.slope_max_rad = rng.uniform(0.2, 0.6);
+  for (int i = static_cast<int>(rng.below(4)); i > 0; --i)
+    params.forbidden.push_back(random_polygon(rng, Vec2(rng.uniform(-100.0, 250.0), rng.uniform(-80.0, 80.0)),
+                                              rng.uniform(5.0, 40.0)));
+  robot.forbidden = params.forbidden;
+  robot.slope_max_rad = params.slope_max_rad;
+  out.task.charger.travel = *RoughGround::make(params, out.terrain);
+}
+
 }  // namespace
 
 ReplayTask random_replay_task(std::uint64_t seed) {
@@ -85,6 +128,11 @@ ReplayTask random_replay_task(std::uint64_t seed) {
   task.charger.landing_s = rng.uniform(0.0, 8.0);
   task.charger.start_m = Vec3(rng.uniform(-120.0, 0.0), -120.0, 0.0);
   task.start_m = Vec3(rng.uniform(-120.0, 0.0), -100.0, 0.0);
+  if (rng.uniform() < 0.4) {
+    task.battery.taper_from = rng.uniform(0.0, 1.0);
+    task.battery.taper_end_rate = rng.uniform(0.02, 1.0);
+  }
+  set_ground(rng, out);
   out.options.seed = seed;
   out.options.energy_margin = rng.uniform(0.0, 0.15);
   out.options.energy_spare = rng.uniform(0.0, 0.04);
@@ -102,6 +150,7 @@ ReplayTask random_replay_task(std::uint64_t seed) {
 
 test_support::ReplayQuestion question_of(const ReplayTask& random) {
   test_support::ReplayQuestion out;
+  out.robot = random.robot;
   const planner::Terrain& terrain = random.terrain;
   out.ground_m = [&terrain](double x_m, double y_m) { return terrain.height_at(x_m, y_m); };
   out.lead_s = random.options.lead_s;

@@ -12,6 +12,7 @@ struct ReplayTask {
   Task task;
   planner::Terrain terrain = planner::Terrain::flat(0.0);
   PlanOptions options;
+  test_support::ReplayRoads robot;
 };
 
 /// Everything that a task can vary in, small enough to be planned in milliseconds.
