@@ -2,23 +2,25 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <numeric>
+#include <utility>
 
 namespace swallowtail::gtsp::proof {
 namespace {
 
 // Ours, by measurement on random instances and the files of [GTSPLIB].
 constexpr int kFirstMemory = 4;
-constexpr int kWindow = 6;
-constexpr double kWarmShare = 0.25;
+constexpr int kWindow = 6;            ///< arcs
+constexpr double kWindowShare = 0.5;  ///< of the first climb's work without an upper bound
+constexpr double kNear = 0.985;       ///< bound to upper bound: from there on whole walks are better
+constexpr double kLearning = 0.3;     ///< of potentials, from each look through the windows
 constexpr int kWalksBetweenListings = 4;
+constexpr std::size_t kGrowth = 1;  ///< of each memory at once, by windows
 constexpr int kFirstArcs = 14;
 constexpr double kFewArcs = 6'000.0;  ///< up to so many are all listed
 constexpr double kMaxBytes = 192e6;   ///< of one direction's values
-constexpr double kStepScale = 0.3;    ///< of Polyak's step
-constexpr double kMomentum = 0.7;
+constexpr double kStepScale = 0.2;    ///< of Polyak's step
+constexpr double kMomentum = 0.5;
 constexpr int kPatience = 6;  ///< walks without a better bound before the step is cut
 constexpr double kStepCut = 0.6;
 constexpr double kLeastStep = 0.2;  ///< below, memory grows
@@ -118,8 +120,9 @@ WalkAscent::End WalkAscent::climb(double work, const StopCondition& stop) {
   const double end = work_ + work;
   if (!is_warm_) {
     is_warm_ = true;
-    const End warm = warm_up(kWarmShare * work, stop);
-    if (warm == End::kStopped || warm == End::kNoWalk) return warm;
+    const double share = upper_bound_ == kNoArc ? kWindowShare : 1.0;
+    const End warm = climb_by_windows(share * work, stop);
+    if (warm != End::kWork) return warm;
     step_back();
     step_ = 1.0;
   }
@@ -144,31 +147,63 @@ WalkAscent::End WalkAscent::climb(double work, const StopCondition& stop) {
   return End::kWork;
 }
 
-WalkAscent::End WalkAscent::warm_up(double work, const StopCondition& stop) {
-  const int m = graph_.cluster_count();
-  const int arcs = std::min(kWindow, m - 1);
+WalkAscent::End WalkAscent::climb_by_windows(double work, const StopCondition& stop) {
+  const int arcs = std::min(kWindow, graph_.cluster_count() - 1);
   const double end = work_ + work;
-  const double pass_work = 3.0 * walks_.layer_work() * arcs;
-  while (work_ + pass_work <= end && step_ >= kLeastStep) {
+  best_potential_ = walks_.potentials();
+  while (work_ + window_work(arcs) <= end) {
     if (stop.reached(0, 0)) return End::kStopped;
-    const std::vector<double> least = walks_.windows(price_, arcs);
-    work_ += pass_work;
     std::vector<double> missing(price_.size(), 1.0);
-    double sum = 0.0;
-    for (int c = 0; c < m; ++c) {
-      if (least[at(c)] == kNoArc) return End::kNoWalk;
-      sum += least[at(c)];
-      const NgWalks::Walk window = walks_.window(c);
-      leaps_.insert(leaps_.end(), window.leaps.begin(), window.leaps.end());
-      for (std::size_t i = 1; i < window.vertices.size(); ++i)
-        missing[at(graph_.cluster_of(window.vertices[i]))] -= 1.0 / arcs;
-    }
-    const double value = sum / arcs + sum_of(price_);
+    const double value = look_through_windows(arcs, missing);
+    if (value == kNoArc) return End::kNoWalk;
     note_value(value);
+    if (rounded(bound_) >= upper_bound_) return End::kProved;
+    if (upper_bound_ != kNoArc && bound_ > kNear * upper_bound_) break;
+    if (walks_.forgets_all()) walks_.learn_potentials(kLearning);
     move_prices(value, missing);
     list_leaps();
+    if (step_ < kLeastStep && !widen_windows(arcs, end - work_)) break;
   }
+  step_back();
   return End::kWork;
+}
+
+double WalkAscent::window_work(int arcs) const { return 1.2 * walks_.layer_work() * arcs; }
+
+/// The bound of the windows from all clusters; takes from `missing` how often they visit each cluster.
+double WalkAscent::look_through_windows(int arcs, std::vector<double>& missing) {
+  const std::vector<double> least = walks_.windows(price_, arcs);
+  work_ += window_work(arcs);
+  double sum = 0.0;
+  for (int c = 0; c < graph_.cluster_count(); ++c) {
+    if (least[at(c)] == kNoArc) return kNoArc;
+    sum += least[at(c)];
+    const NgWalks::Walk window = walks_.window(c);
+    leaps_.insert(leaps_.end(), window.leaps.begin(), window.leaps.end());
+    recent_.emplace_back();
+    for (std::size_t i = 0; i < window.vertices.size(); ++i) {
+      recent_.back().push_back(graph_.cluster_of(window.vertices[i]));
+      if (i > 0) missing[at(recent_.back().back())] -= 1.0 / arcs;
+    }
+  }
+  while (recent_.size() > 3 * at(graph_.cluster_count())) recent_.pop_front();
+  return sum / arcs + sum_of(price_);
+}
+
+/// False when it is not worth going on by windows.
+bool WalkAscent::widen_windows(int arcs, double work_left) {
+  constexpr double kWindowsToUse = 20.0;
+  step_ = kStepAfterWidening;
+  step_back();
+  const auto old = walks_.memory();
+  auto memory = widened(arcs, kGrowth);
+  if (memory == old || !walks_.rememorise(std::move(memory), kMaxBytes)) return false;
+  if (!walks_.forgets_all() || kWindowsToUse * window_work(arcs) > work_left) {
+    walks_.rememorise(old, kNoArc);
+    return false;
+  }
+  best_potential_ = walks_.potentials();
+  return true;
 }
 
 /// Whether the walk is a tour.
@@ -181,6 +216,7 @@ bool WalkAscent::note_walk(const NgWalks::Walk& walk) {
   const bool is_tour = is_elementary && walk.leaps.empty() && walk.vertices.front() == walk.vertices.back();
   if (is_tour) tour_.assign(walk.vertices.begin(), walk.vertices.end() - 1);
   leaps_.insert(leaps_.end(), walk.leaps.begin(), walk.leaps.end());
+  clusters.pop_back();
   recent_.push_back(std::move(clusters));
   if (recent_.size() > kRecentWalks) recent_.pop_front();
   return is_tour;
@@ -194,11 +230,13 @@ void WalkAscent::note_value(double value) {
   if (value <= bound_) return;
   bound_ = value;
   best_price_ = price_;
+  best_potential_ = walks_.potentials();
 }
 
 void WalkAscent::step_back() {
   stall_ = 0;
   price_ = best_price_;
+  if (best_potential_.size() == walks_.potentials().size()) walks_.set_potentials(best_potential_);
   std::fill(direction_.begin(), direction_.end(), 0.0);
 }
 
@@ -217,21 +255,30 @@ void WalkAscent::move_prices(double value, const std::vector<double>& missing) {
   for (std::size_t c = 0; c < direction_.size(); ++c) price_[c] += length * direction_[c];
 }
 
-/// Memory of each cluster with those that recent walks came back to around it, over at most `longest` arcs.
-std::vector<std::vector<int>> WalkAscent::widened(int longest) const {
-  auto memory = walks_.memory();
+/// Memory of each cluster with those that recent walks came back to around it most often, over at most
+/// `longest` arcs; at most `most` more for each.
+std::vector<std::vector<int>> WalkAscent::widened(int longest, std::size_t most) const {
+  const int m = graph_.cluster_count();
+  std::vector<int> returns(at(m) * at(m), 0);  // to a cluster, by cluster in between
   for (const std::vector<int>& walk : recent_) {
-    std::vector<int> seen(at(graph_.cluster_count()), -1);
-    for (int j = 1; j + 1 < static_cast<int>(walk.size()); ++j) {
+    std::vector<int> seen(at(m), -1);
+    for (int j = 0; j < static_cast<int>(walk.size()); ++j) {
       const int c = walk[at(j)];
       const int i = std::exchange(seen[at(c)], j);
       if (i < 0 || j - i > longest) continue;
-      for (int k = i + 1; k < j; ++k) {
-        auto& known = memory[at(walk[at(k)])];
-        if (std::find(known.begin(), known.end(), c) == known.end() &&
-            static_cast<int>(known.size()) < NgWalks::kMaxMemory)
-          known.push_back(c);
-      }
+      for (int k = i + 1; k < j; ++k) ++returns[at(walk[at(k)]) * at(m) + at(c)];
+    }
+  }
+  auto memory = walks_.memory();
+  for (int between = 0; between < m; ++between) {
+    auto& known = memory[at(between)];
+    int* const count = returns.data() + at(between) * at(m);
+    for (const int c : known) count[c] = 0;
+    for (std::size_t i = 0; i < most && known.size() < NgWalks::kMaxMemory; ++i) {
+      int* const often = std::max_element(count, count + m);
+      if (*often == 0) break;
+      *often = 0;
+      known.push_back(static_cast<int>(often - count));
     }
   }
   return memory;
@@ -245,8 +292,8 @@ bool WalkAscent::widen(double work_left) {
     const double cut = graph_.is_integer() ? upper_bound_ - 1.0 + 1e-6 : upper_bound_;
     drop_arcs(cut, 40 * at(graph_.size()) + at(static_cast<int>(kFewArcs)));
   }
-  auto memory = widened(4);
-  if (memory == walks_.memory()) memory = widened(graph_.cluster_count());
+  auto memory = widened(4, NgWalks::kMaxMemory);
+  if (memory == walks_.memory()) memory = widened(graph_.cluster_count(), NgWalks::kMaxMemory);
   if (memory == walks_.memory()) return true;
   const auto old = walks_.memory();
   const bool fits = walks_.rememorise(std::move(memory), kMaxBytes);

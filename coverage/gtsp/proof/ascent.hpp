@@ -50,14 +50,17 @@ class WalkAscent {
   void set_first_prices();
   void list_leaps();
   void remember_nearest();
-  /// Prices by windows of the tour alone, much cheaper than whole walks.
-  End warm_up(double work, const StopCondition& stop);
+  /// By windows of the tour, much cheaper than whole walks, and potentials for what lies beyond them.
+  End climb_by_windows(double work, const StopCondition& stop);
+  double window_work(int arcs) const;
+  double look_through_windows(int arcs, std::vector<double>& missing);
+  bool widen_windows(int arcs, double work_left);
   bool note_walk(const NgWalks::Walk& walk);
   void note_value(double value);
   void move_prices(double value, const std::vector<double>& missing);
   void step_back();
   bool widen(double work_left);
-  std::vector<std::vector<int>> widened(int longest) const;
+  std::vector<std::vector<int>> widened(int longest, std::size_t most) const;
   double target() const;
 
   WalkGraph& graph_;
@@ -72,6 +75,7 @@ class WalkAscent {
   bool is_warm_ = false;
   std::vector<double> price_;
   std::vector<double> best_price_;
+  std::vector<double> best_potential_;
   std::vector<double> direction_;
   std::deque<std::vector<int>> recent_;  ///< clusters of the last walks
   std::vector<int> tour_;

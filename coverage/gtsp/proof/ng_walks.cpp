@@ -1,6 +1,9 @@
 #include "coverage/gtsp/proof/ng_walks.hpp"
 
 #include <algorithm>
+#include <utility>
+
+#include "coverage/gtsp/proof/subset_kernel.hpp"
 
 namespace swallowtail::gtsp::proof {
 
@@ -11,16 +14,20 @@ bool NgWalks::rememorise(std::vector<std::vector<int>> memory, double max_bytes)
               static_cast<double>(1 << (memory[at(c)].size() - 1));
   }
   if (states * (graph_.cluster_count() + 1.0) * static_cast<double>(sizeof(double)) > max_bytes) return false;
-  memory_ = std::move(memory);
-  first_state_ = {0};
+  const auto old_memory = std::exchange(memory_, std::move(memory));
+  const auto old_first_state = std::exchange(first_state_, {0});
   vertex_of_state_.clear();
   for (int v = 0; v < graph_.size(); ++v) {
     first_state_.push_back(first_state_.back() + at(masks(v)));
     vertex_of_state_.resize(first_state_.back(), v);
   }
+  carry_potentials(old_memory, old_first_state);
   const int m = graph_.cluster_count();
   table_.assign(at(m) * at(m), -1);
   tables_.clear();
+  first_move_.assign(at(m) * at(m), 0);
+  move_count_.assign(at(m) * at(m), 0);
+  moves_.clear();
   for (int u = 0; u < graph_.size(); ++u) {
     for (const WalkGraph::Arc& arc : graph_.out(u)) {
       tabulate(graph_.cluster_of(u), graph_.cluster_of(arc.to));
@@ -30,10 +37,34 @@ bool NgWalks::rememorise(std::vector<std::vector<int>> memory, double max_bytes)
   return true;
 }
 
+/// A state's potential is that of the one with what was remembered before.
+void NgWalks::carry_potentials(const std::vector<std::vector<int>>& old_memory,
+                               const std::vector<std::size_t>& old_first_state) {
+  const std::vector<double> old = std::exchange(potential_, std::vector<double>(state_count(), 0.0));
+  if (old.empty()) return;
+  for (int v = 0; v < graph_.size(); ++v) {
+    const auto& memory = memory_[at(graph_.cluster_of(v))];
+    const auto& before = old_memory[at(graph_.cluster_of(v))];
+    std::vector<int> old_bit(memory.size(), 0);
+    for (std::size_t i = 1; i < memory.size(); ++i) {
+      const auto found = std::find(before.begin(), before.end(), memory[i]);
+      if (found != before.end()) old_bit[i] = 1 << (found - before.begin() - 1);
+    }
+    for (int mask = 0; mask < masks(v); ++mask) {
+      int old_mask = 0;
+      for (std::size_t i = 1; i < memory.size(); ++i) {
+        if ((mask >> (i - 1) & 1) != 0) old_mask |= old_bit[i];
+      }
+      potential_[first_state_[at(v)] + at(mask)] = old[old_first_state[at(v)] + at(old_mask)];
+    }
+  }
+}
+
 void NgWalks::tabulate(int from_cluster, int to_cluster) {
-  int& entry = table_[at(from_cluster) * at(graph_.cluster_count()) + at(to_cluster)];
-  if (entry >= 0) return;
-  entry = static_cast<int>(tables_.size());
+  const std::size_t pair = at(from_cluster) * at(graph_.cluster_count()) + at(to_cluster);
+  if (table_[pair] >= 0) return;
+  table_[pair] = static_cast<int>(tables_.size());
+  first_move_[pair] = static_cast<int>(moves_.size());
   const auto& from = memory_[at(from_cluster)];
   const auto& to = memory_[at(to_cluster)];
   std::vector<int> bit_of(from.size(), 0);
@@ -51,7 +82,9 @@ void NgWalks::tabulate(int from_cluster, int to_cluster) {
       if ((remembered >> i & 1) != 0) kept |= bit_of[i];
     }
     tables_.push_back((remembered & forbidden) != 0 ? -1 : kept);
+    if (tables_.back() >= 0) moves_.push_back({mask, kept});
   }
+  move_count_[pair] = static_cast<int>(moves_.size()) - first_move_[pair];
 }
 
 double NgWalks::layer_work() const {
@@ -95,14 +128,42 @@ double NgWalks::backward(std::span<const double> price, std::optional<int> root)
 std::vector<double> NgWalks::windows(std::span<const double> price, int arcs) {
   is_closed_ = false;
   begin(back_, price, arcs);
-  for (int v = 0; v < graph_.size(); ++v) back_.value[first_state_[at(v)]] = 0.0;
+  std::copy(potential_.begin(), potential_.end(), back_.value.begin());
   for (int i = 1; i <= arcs; ++i) step<false>(back_, i);
+  const double* const value = layer(back_, arcs);
   std::vector<double> least_by_cluster(at(graph_.cluster_count()), kNoArc);
-  for (int v = 0; v < graph_.size(); ++v) {
-    double& value = least_by_cluster[at(graph_.cluster_of(v))];
-    value = std::min(value, least(back_, arcs, v));
+  window_state_.assign(least_by_cluster.size(), -1);
+  for (std::size_t s = 0; s < state_count(); ++s) {
+    const std::size_t c = at(graph_.cluster_of(vertex_of_state_[s]));
+    if (value[s] == kNoArc || value[s] - potential_[s] >= least_by_cluster[c]) continue;
+    least_by_cluster[c] = value[s] - potential_[s];
+    window_state_[c] = static_cast<int>(s);
   }
   return least_by_cluster;
+}
+
+bool NgWalks::forgets_all() const {
+  std::vector<std::size_t> known_by(memory_.size(), 0);
+  for (const auto& memory : memory_) {
+    for (const int c : memory) ++known_by[at(c)];
+  }
+  return *std::max_element(known_by.begin(), known_by.end()) < memory_.size();
+}
+
+/// Less what all gain on average, so that they stay small.
+void NgWalks::learn_potentials(double share) {
+  const double* const value = layer(back_, back_.last);
+  double sum = 0.0;
+  std::size_t count = 0;
+  for (std::size_t s = 0; s < state_count(); ++s) {
+    if (value[s] == kNoArc) continue;
+    sum += value[s] - potential_[s];
+    ++count;
+  }
+  const double mean = count > 0 ? sum / static_cast<double>(count) : 0.0;
+  for (std::size_t s = 0; s < state_count(); ++s) {
+    if (value[s] != kNoArc) potential_[s] += share * (value[s] - potential_[s] - mean);
+  }
 }
 
 /// Fills layer i from the one before. In closed walks the root cluster is at both ends and nowhere else;
@@ -122,11 +183,12 @@ void NgWalks::step(Pass& pass, int i) {
       if (!may_enter(to_cluster, i)) continue;
       const double arc_weight = weight(arc.cost, kIsForward ? to_cluster : from_cluster);
       double* const to = now + first_state_[at(arc.to)];
-      const int* const next = table(from_cluster, to_cluster);
-      for (int mask = 0; mask < count; ++mask) {
-        const int kept = closes ? 0 : next[mask];
-        if (kept >= 0) to[kept] = std::min(to[kept], from[mask] + arc_weight);
+      if (closes) {
+        to[0] = std::min(to[0], *std::min_element(from, from + count) + arc_weight);
+        continue;
       }
+      for (const Move move : moves(from_cluster, to_cluster))
+        to[move.after] = std::min(to[move.after], from[move.before] + arc_weight);
     }
   }
   if (!graph_.has_beyond()) return;
@@ -162,12 +224,12 @@ void NgWalks::leap_backward(Pass& pass, int i) {
     double& least_onward = onward[at(graph_.cluster_of(v))];
     least_onward = std::min(least_onward, least_[at(v)]);
   }
+  for (std::size_t c = 0; c < m; ++c) onward[c] -= price_[c];
   double* const now = pass.value.data() + at(i) * state_count();
   for (int u = 0; u < graph_.size(); ++u) {
     if (!may_enter(graph_.cluster_of(u), i)) continue;
-    const auto cost = graph_.beyond(u);
     double& value = now[first_state_[at(u)]];
-    for (std::size_t c = 0; c < m; ++c) value = std::min(value, onward[c] + (cost[c] - price_[c]));
+    value = std::min(value, least_sum(onward.data(), graph_.beyond(u).data(), static_cast<int>(m)));
   }
 }
 
@@ -255,11 +317,7 @@ NgWalks::Walk NgWalks::least_walk() const {
 
 NgWalks::Walk NgWalks::window(int c) const {
   Walk walk;
-  const double* const values = layer(back_, back_.last);
-  int state = static_cast<int>(first_state_[at(graph_.first(c))]);
-  for (int s = state; s < static_cast<int>(first_state_[at(graph_.last(c))]); ++s) {
-    if (values[s] < values[state]) state = s;
-  }
+  int state = window_state_[at(c)];
   walk.vertices.push_back(vertex_of_state_[at(state)]);
   for (int i = back_.last; i > 0; --i) {
     const Origin origin = backward_origin(i, state);

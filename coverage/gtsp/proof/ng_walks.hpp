@@ -50,10 +50,20 @@ class NgWalks {
     return states(back_, graph_.cluster_count() - k, v);
   }
 
-  /// Least sums over walks of `arcs` arcs from each cluster to anywhere; the root is as the others.
+  /// Least sums over walks of `arcs` arcs from each cluster to anywhere, the root being as the others, where
+  /// a walk gains the potential of the state it ends in and pays that of the one it begins in. A tour's walks
+  /// from all clusters are worth `arcs` times the tour: potentials cancel.
   std::vector<double> windows(std::span<const double> price, int arcs);
   /// The walk that the last windows() found from cluster c.
   Walk window(int c) const;
+  /// By state, finite, zero at first. What walks may look forward to beyond a window: moved by `share` of the
+  /// way to what the last windows() found from each state.
+  void learn_potentials(double share);
+  const std::vector<double>& potentials() const { return potential_; }
+  /// Whether every tour forgets each cluster before it comes back to it. Otherwise windows with potentials
+  /// do not bound tours, and only those of fewer arcs than there are clusters, without potentials, do.
+  bool forgets_all() const;
+  void set_potentials(std::vector<double> potential) { potential_ = std::move(potential); }
 
  private:
   /// Values by layer and state; a vertex's states lie side by side.
@@ -64,6 +74,11 @@ class NgWalks {
   struct Origin {
     int state = 0;
     bool is_leap = false;
+  };
+  /// What may be remembered before going on, and is then.
+  struct Move {
+    int before = 0;
+    int after = 0;
   };
 
   static std::size_t at(int i) { return static_cast<std::size_t>(i); }
@@ -77,7 +92,13 @@ class NgWalks {
   const int* table(int from_cluster, int to_cluster) const {
     return tables_.data() + table_[at(from_cluster) * at(graph_.cluster_count()) + at(to_cluster)];
   }
+  std::span<const Move> moves(int from_cluster, int to_cluster) const {
+    const std::size_t pair = at(from_cluster) * at(graph_.cluster_count()) + at(to_cluster);
+    return std::span(moves_).subspan(at(first_move_[pair]), at(move_count_[pair]));
+  }
   void tabulate(int from_cluster, int to_cluster);
+  void carry_potentials(const std::vector<std::vector<int>>& old_memory,
+                        const std::vector<std::size_t>& old_first_state);
   double weight(double cost, int into_cluster) const { return cost - price_[at(into_cluster)]; }
 
   void begin(Pass& pass, std::span<const double> price, int layers);
@@ -98,12 +119,17 @@ class NgWalks {
   std::vector<std::vector<int>> memory_;
   std::vector<std::size_t> first_state_;  ///< n + 1
   std::vector<int> vertex_of_state_;
-  std::vector<int> table_;   ///< by cluster pair: where its table begins in tables_, −1 = none
-  std::vector<int> tables_;  ///< what is remembered after going on, −1 = not allowed
+  std::vector<int> table_;       ///< by cluster pair: where its table begins in tables_, −1 = none
+  std::vector<int> tables_;      ///< what is remembered after going on, −1 = not allowed
+  std::vector<int> first_move_;  ///< by cluster pair
+  std::vector<int> move_count_;
+  std::vector<Move> moves_;
   bool is_closed_ = true;
   Pass ahead_;
   Pass back_;
   std::vector<double> least_;  ///< scratch: by vertex, of one layer
+  std::vector<double> potential_;
+  std::vector<int> window_state_;  ///< by cluster: where its least window begins
 };
 
 }  // namespace swallowtail::gtsp::proof

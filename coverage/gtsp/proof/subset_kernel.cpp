@@ -56,6 +56,31 @@ template <class Cost>
     relax_block<Cost, kSubsetLanes>(value, from, count, cost + lane, width, least + lane);
 }
 
+[[gnu::always_inline]] inline double least_sum_of(const double* a, const double* b, int count) {
+  using Vector = Lanes<double>::Vector;
+  constexpr int kLanes = kVectorBytes / sizeof(double);
+  constexpr int kBlock = 2 * kLanes;
+  Vector best[2];
+  best[0] = best[1] = Vector{} + Lanes<double>::kNoWay;
+  int i = 0;
+  for (; i + kBlock <= count; i += kBlock) {
+    for (int j = 0; j < 2; ++j) {
+      Vector left;
+      Vector right;
+      std::memcpy(&left, a + i + j * kLanes, sizeof left);
+      std::memcpy(&right, b + i + j * kLanes, sizeof right);
+      left += right;
+      best[j] = left < best[j] ? left : best[j];
+    }
+  }
+  double least = Lanes<double>::kNoWay;
+  for (; i < count; ++i) least = a[i] + b[i] < least ? a[i] + b[i] : least;
+  for (const Vector& lanes : best) {
+    for (int j = 0; j < kLanes; ++j) least = lanes[j] < least ? lanes[j] : least;
+  }
+  return least;
+}
+
 template <class Cost>
 using Relax = void (*)(const Cost*, const int*, int, const Cost*, int, Cost*);
 
@@ -63,6 +88,10 @@ template <class Cost>
 void relax_plain(const Cost* value, const int* from, int count, const Cost* cost, int width, Cost* least) {
   relax(value, from, count, cost, width, least);
 }
+
+using LeastSum = double (*)(const double*, const double*, int);
+
+double least_sum_plain(const double* a, const double* b, int count) { return least_sum_of(a, b, count); }
 
 // The target is set for whole functions rather than through ifunc resolvers, which run before the sanitizers
 // are ready.
@@ -73,11 +102,19 @@ template <class Cost>
   relax(value, from, count, cost, width, least);
 }
 
+[[gnu::target("avx2")]] double least_sum_avx2(const double* a, const double* b, int count) {
+  return least_sum_of(a, b, count);
+}
+
+LeastSum fastest_sum() { return __builtin_cpu_supports("avx2") ? least_sum_avx2 : least_sum_plain; }
+
 template <class Cost>
 Relax<Cost> fastest() {
   return __builtin_cpu_supports("avx2") ? relax_avx2<Cost> : relax_plain<Cost>;
 }
 #else
+LeastSum fastest_sum() { return least_sum_plain; }
+
 template <class Cost>
 Relax<Cost> fastest() {
   return relax_plain<Cost>;
@@ -96,6 +133,11 @@ void least_ways_on(const double* value, const int* from, int count, const double
                    double* least) {
   static const Relax<double> kRelax = fastest<double>();
   kRelax(value, from, count, cost, width, least);
+}
+
+double least_sum(const double* a, const double* b, int count) {
+  static const LeastSum kSum = fastest_sum();
+  return kSum(a, b, count);
 }
 
 }  // namespace swallowtail::gtsp::proof

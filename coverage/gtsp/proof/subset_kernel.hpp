@@ -18,4 +18,7 @@ void least_ways_on(const std::int32_t* value, const int* from, int count, const 
 void least_ways_on(const double* value, const int* from, int count, const double* cost, int width,
                    double* least);
 
+/// The least of a[i] + b[i], infinity for none; as above, the same on every machine.
+double least_sum(const double* a, const double* b, int count);
+
 }  // namespace swallowtail::gtsp::proof
