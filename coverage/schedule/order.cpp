@@ -9,11 +9,12 @@ namespace {
 
 /// What each mode may spend; a deadline can cut it short.
 struct Budget {
-  int layered_vertices;      ///< largest layered graph that is searched
-  int plain_vertices;        ///< largest graph without levels
-  std::uint64_t iterations;  ///< of the layered search
-  std::uint64_t schedules;   ///< looked at by the local search
-  std::uint64_t kicks;       ///< of the local search, per sub-cell
+  int layered_vertices;        ///< largest layered graph that is searched
+  int plain_vertices;          ///< largest graph without levels
+  std::uint64_t iterations;    ///< of the layered search
+  std::uint64_t schedules;     ///< looked at by the local search
+  std::uint64_t kicks;         ///< of the local search, per sub-cell
+  std::uint64_t flight_kicks;  ///< of the search by flight alone, per sub-cell
 };
 
 /// Largest layered graph that is compared with the full one in any mode.
@@ -22,13 +23,13 @@ constexpr int kComparedVertices = 1700;
 Budget budget_of(gtsp::Mode mode) {
   switch (mode) {
     case gtsp::Mode::kFast:
-      return {0, 1000, 4'000, 20'000, 1};
+      return {0, 500, 4'000, 20'000, 1, 5};
     case gtsp::Mode::kDefault:
-      return {3000, 2000, 20'000, 1'000'000, 20};
+      return {3000, 2000, 20'000, 200'000, 10, 50};
     case gtsp::Mode::kSlow:
-      return {6000, 4000, std::numeric_limits<std::uint64_t>::max(), 10'000'000, 200};
+      return {6000, 4000, std::numeric_limits<std::uint64_t>::max(), 10'000'000, 200, 500};
   }
-  return {0, 1000, 4'000, 20'000, 1};
+  return {0, 500, 4'000, 20'000, 1, 5};
 }
 
 class OrderSearch {
@@ -52,6 +53,7 @@ class OrderSearch {
   bool needs_recharge();
   void solve_graph(int levels, const char* from);
   gtsp::Solution solve(const LayeredGraph& graph, bool warm) const;
+  void search_flight();
   void compare_with_full_graph(const GraphParams& params);
   StopCondition part_of_deadline(double share) const;
 
@@ -135,6 +137,19 @@ void OrderSearch::solve_graph(int levels, const char* from) {
   statistics_.gtsp_wall_s += now() - began;
 }
 
+/// The graph without levels where it would be too large to be made: its arcs only as they are asked for.
+void OrderSearch::search_flight() {
+  const double began = now();
+  ImproveParams params;
+  params.aim = Aim::kFlight;
+  params.stop = part_of_deadline(0.5);
+  params.kicks = budget_.flight_kicks * cells_.size();
+  params.seed = options_.seed;
+  offer("flight search",
+        improve_order(cells_, boustrophedon_order(cells_, start_.position_m), start_, links_, params).visits);
+  statistics_.gtsp_wall_s += now() - began;
+}
+
 void OrderSearch::compare_with_full_graph(const GraphParams& params) {
   GraphParams full = params;
   full.neighbours = static_cast<int>(cells_.size());
@@ -148,7 +163,11 @@ void OrderSearch::compare_with_full_graph(const GraphParams& params) {
 Result<Order> OrderSearch::run() {
   const int n = static_cast<int>(cells_.size());
   offer("strip order", boustrophedon_order(cells_, start_.position_m));
-  if (1 + 2 * n <= budget_.plain_vertices) solve_graph(1, "graph without levels");
+  if (1 + 2 * n <= budget_.plain_vertices) {
+    solve_graph(1, "graph without levels");
+  } else {
+    search_flight();
+  }
   const bool compares = options_.full_graph == FullGraph::kCompare;
   const bool recharges = needs_recharge();
   const int layered = std::max(budget_.layered_vertices, compares ? kComparedVertices : 0);

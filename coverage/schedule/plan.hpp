@@ -80,7 +80,7 @@ struct PlanStatistics {
   int neighbours = 0;      ///< X after widening
   double gtsp_cost = 0.0;  ///< of the layered graph's tour; 0: not solved
   std::string order_from;  ///< which search the order is from: "layered graph", "graph without levels",
-                           ///< "strip order"; " + local search"
+                           ///< "flight search", "strip order"; " + local search"
   double full_graph_gap_percent =
       -1.0;  ///< cost of the pruned graph's tour above the full graph's; −1: not asked for
   std::uint64_t schedules_computed = 0;
