@@ -1,5 +1,6 @@
 #include "coverage/field/polygon.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -105,8 +106,11 @@ double area_m2(const Polygon& polygon) {
 }
 
 Box bounds_of(const Ring& ring) {
-  Box box{ring.front(), ring.front()};
+  const auto first = std::find_if(ring.begin(), ring.end(), [](const Vec2& p) { return is_finite(p); });
+  if (first == ring.end()) return {};
+  Box box{*first, *first};
   for (const Vec2& p : ring) {
+    if (!is_finite(p)) continue;
     box.lo = box.lo.cwiseMin(p);
     box.hi = box.hi.cwiseMax(p);
   }

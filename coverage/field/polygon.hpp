@@ -45,6 +45,7 @@ std::string place_text(const Vec2& place_m);
 double signed_area_m2(const Ring& ring);
 /// Outline less holes, whichever way they run.
 double area_m2(const Polygon& polygon);
+/// Of the vertices that are finite; none: a box of no size at the origin.
 Box bounds_of(const Ring& ring);
 /// Even-odd, borders either way.
 bool contains(const Polygon& polygon, const Vec2& point);

@@ -1,12 +1,15 @@
 #include "coverage/field/geojson.hpp"
 
+#include <gdal_priv.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <ogrsf_frmts.h>
 #include <unistd.h>
 
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <utility>
 
 namespace swallowtail::coverage {
 namespace {
@@ -100,6 +103,92 @@ TEST_F(GeoJson, FieldsFarApartHaveAFrameEachWhenAskedTo) {
   ASSERT_TRUE(fields.ok()) << fields.error().message;
   EXPECT_EQ(fields->origins.size(), 2U);
   for (const Field& field : fields->fields) EXPECT_LT(field.polygon.outline.front().norm(), 200.0);
+}
+
+/// Written by GDAL itself, as a user's other programs do.
+void write_square(const std::string& driver, const std::string& path, int epsg, double x, double y) {
+  GDALAllRegister();
+  GDALDriver* writer = GetGDALDriverManager()->GetDriverByName(driver.c_str());
+  ASSERT_NE(writer, nullptr) << driver;
+  GDALDataset* dataset = writer->Create(path.c_str(), 0, 0, 0, GDT_Unknown, nullptr);
+  ASSERT_NE(dataset, nullptr) << path;
+  OGRSpatialReference reference;
+  reference.importFromEPSG(epsg);
+  reference.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+  OGRLayer* layer = dataset->CreateLayer("fields", epsg == 0 ? nullptr : &reference, wkbPolygon, nullptr);
+  OGRFieldDefn name("id", OFTString);
+  layer->CreateField(&name);
+  const double size = epsg == 4326 ? 0.001 : 100.0;
+  OGRLinearRing ring;
+  for (const auto& [dx, dy] : {std::pair(0, 0), {1, 0}, {1, 1}, {0, 1}, {0, 0}})
+    ring.addPoint(x + dx * size, y + dy * size);
+  OGRPolygon polygon;
+  polygon.addRing(&ring);
+  OGRFeature feature(layer->GetLayerDefn());
+  feature.SetField("id", "square");
+  feature.SetGeometry(&polygon);
+  EXPECT_EQ(layer->CreateFeature(&feature), OGRERR_NONE);
+  GDALClose(dataset);
+}
+
+struct Projected {
+  const char* driver;
+  const char* file;
+  int epsg;
+  double x;
+  double y;
+};
+
+TEST(VectorFiles, InAnyProjectionAreTheSameField) {
+  const std::filesystem::path folder =
+      std::filesystem::temp_directory_path() / ("swallowtail_vectors_" + std::to_string(getpid()));
+  std::filesystem::create_directories(folder);
+  for (const Projected& one : {Projected{"ESRI Shapefile", "rd.shp", 28992, 155000, 463000},
+                               Projected{"ESRI Shapefile", "nztm.shp", 2193, 1570000, 5180000},
+                               Projected{"GPKG", "utm.gpkg", 32631, 637000, 5763000},
+                               Projected{"GML", "gk.gml", 31466, 2570000, 5650000}}) {
+    const std::string path = folder / one.file;
+    write_square(one.driver, path, one.epsg, one.x, one.y);
+    const auto file = read_fields(path, {});
+    ASSERT_TRUE(file.ok()) << one.file << ": " << file.error().message;
+    ASSERT_EQ(file->fields.size(), 1U) << one.file;
+    EXPECT_NEAR(area_m2(file->fields[0].polygon), 1e4, 12.0) << one.file;
+    EXPECT_TRUE(file->origin) << one.file;
+  }
+  std::filesystem::remove_all(folder);
+}
+
+TEST(VectorFiles, WithoutAProjectionAreLocalMetresOrRefused) {
+  const std::filesystem::path folder =
+      std::filesystem::temp_directory_path() / ("swallowtail_bare_" + std::to_string(getpid()));
+  std::filesystem::create_directories(folder);
+  write_square("ESRI Shapefile", folder / "local.shp", 0, 10, 20);
+  const auto local = read_fields(folder / "local.shp", {});
+  ASSERT_TRUE(local.ok()) << local.error().message;
+  EXPECT_FALSE(local->origin);
+  write_square("ESRI Shapefile", folder / "utm.shp", 0, 637000, 5763000);
+  EXPECT_THAT(read_fields(folder / "utm.shp", {}).error().message, HasSubstr("names no coordinate system"));
+  write_square("ESRI Shapefile", folder / "degrees.shp", 4326, 5, 52);
+  std::filesystem::remove(folder / "degrees.prj");
+  EXPECT_THAT(read_fields(folder / "degrees.shp", {}).error().message, HasSubstr("seem to be in degrees"));
+  std::filesystem::remove_all(folder);
+}
+
+TEST(VectorFiles, LinesOfWktShareAFrameAndCurvesAreStraightened) {
+  const std::string path =
+      std::filesystem::temp_directory_path() / ("swallowtail_lines_" + std::to_string(getpid()) + ".wkt");
+  std::ofstream(path)
+      << "POLYGON((0 0,100 0,100 60,0 60,0 0))\n"
+         "POLYGON((200 0,300 0,300 60,200 60,200 0))\n"
+         "MULTIPOLYGON EMPTY\n"
+         "CURVEPOLYGON(COMPOUNDCURVE(CIRCULARSTRING(1000 0,1050 50,1100 0),(1100 0,1000 0)))\n";
+  const auto file = read_fields(path, {});
+  ASSERT_TRUE(file.ok()) << file.error().message;
+  ASSERT_EQ(file->fields.size(), 4U);
+  EXPECT_FALSE(file->origin);
+  EXPECT_TRUE(file->fields[2].polygon.outline.empty());
+  EXPECT_NEAR(area_m2(file->fields[3].polygon), 3927.0, 10.0);
+  std::filesystem::remove(path);
 }
 
 }  // namespace
