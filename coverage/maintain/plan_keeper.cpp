@@ -29,16 +29,24 @@ double flat_distance(const Vec3& a, const Vec3& b) { return (a - b).head<2>().no
 Result<PlanKeeper> PlanKeeper::make(Task task, planner::Terrain terrain, KeeperParams params) {
   const Result<Plan> plan = plan_coverage(task, terrain, params.planning);
   if (!plan) return plan.error();
-  return PlanKeeper(std::move(task), std::move(terrain), params, live_plan(*plan), plan->fields);
+  auto ways = std::make_shared<const Ways>(ways_of(task, plan->polygons));
+  return PlanKeeper(std::move(task), std::move(terrain), params, live_plan(*plan), plan->fields,
+                    std::move(ways));
 }
 
-PlanKeeper::PlanKeeper(Task task, planner::Terrain terrain, KeeperParams params, LivePlan plan,
-                       std::vector<FieldReport> fields)
+PlanKeeper::PlanKeeper(Task task, planner::Terrain terrain, const KeeperParams& params, LivePlan plan)
+    : PlanKeeper(
+          task, terrain, params, std::move(plan), {},
+          std::make_shared<const Ways>(ways_of(task, cut_fields(task, terrain, params.planning).polygons))) {}
+
+PlanKeeper::PlanKeeper(Task task, planner::Terrain terrain, const KeeperParams& params, LivePlan plan,
+                       std::vector<FieldReport> fields, std::shared_ptr<const Ways> ways)
     : task_(std::move(task)),
       terrain_(std::move(terrain)),
       params_(params),
       plan_(std::move(plan)),
-      fields_(std::move(fields)) {
+      fields_(std::move(fields)),
+      ways_(std::move(ways)) {
   for (const Leg& leg : plan_.legs) next_id_ = std::max(next_id_, leg.sub_cell_id + 1);
   plan_.battery_energy = task_.battery.capacity;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -60,8 +61,8 @@ class PlanKeeper {
   /// Plans the task. Errors: see plan_coverage.
   static Result<PlanKeeper> make(Task task, planner::Terrain terrain, KeeperParams params);
 
-  PlanKeeper(Task task, planner::Terrain terrain, KeeperParams params, LivePlan plan,
-             std::vector<FieldReport> fields = {});
+  /// Goes on with a plan made before. Cuts the task's fields once more, to know what transfers go round.
+  PlanKeeper(Task task, planner::Terrain terrain, const KeeperParams& params, LivePlan plan);
 
   /// Each takes news and tells whether the plan was changed: plan() then has a new revision and a reason.
   bool on_vehicle(const AircraftView& vehicle);
@@ -85,7 +86,9 @@ class PlanKeeper {
   bool complete() const { return plan_.complete && gaps_.empty(); }
 
  private:
-  FlightModel model() const { return {task_.vehicle, task_.battery.model, terrain_}; }
+  PlanKeeper(Task task, planner::Terrain terrain, const KeeperParams& params, LivePlan plan,
+             std::vector<FieldReport> fields, std::shared_ptr<const Ways> ways);
+  FlightModel model() const { return {task_.vehicle, task_.battery.model, terrain_, ways_.get()}; }
   double energy_now() const;
   bool covers(std::size_t leg) const;
   std::size_t committed_legs() const;
@@ -119,6 +122,7 @@ class PlanKeeper {
   KeeperParams params_;
   LivePlan plan_;
   std::vector<FieldReport> fields_;
+  std::shared_ptr<const Ways> ways_;
   std::optional<AircraftView> vehicle_;
   std::optional<BatteryView> battery_;
   std::optional<RobotView> robot_;

@@ -109,6 +109,10 @@ StopParams stop_params(const Task& task, const PlanOptions& options) {
   return out;
 }
 
+Ways ways_of(const Task& task, std::span<const Polygon> polygons) {
+  return Ways(polygons, no_fly_areas(task));
+}
+
 FieldsCut cut_fields(const Task& task, const planner::Terrain& terrain, const PlanOptions& options) {
   FieldsCut out;
   const StopParams stops = stop_params(task, options);
@@ -159,7 +163,8 @@ Result<Plan> plan_coverage(const Task& task, const planner::Terrain& terrain, co
   if (plan.sub_cells.empty()) {
     return infeasible("No field can be planned. " + plan.fields.front().reason);
   }
-  const Ways ways(cut.polygons, no_fly_areas(task));
+  plan.polygons = std::move(cut.polygons);
+  const Ways ways = ways_of(task, plan.polygons);
   const FlightModel model(task.vehicle, task.battery.model, terrain, &ways);
   LinkCache links(model, task.charger);
   ScheduleStart start;

@@ -92,7 +92,8 @@ struct Plan {
   PlanStatus status = PlanStatus::kComplete;
   std::vector<FieldReport> fields;
   std::vector<SubCell> sub_cells;
-  std::vector<Vec3> approach_m;  ///< where the flight from the start to the first leg bends, in order
+  std::vector<Polygon> polygons;  ///< of the planned fields, as cut: where lines and transfers may run
+  std::vector<Vec3> approach_m;   ///< where the flight from the start to the first leg bends, in order
   std::vector<Leg> legs;
   std::vector<Rendezvous> rendezvous;
   double cost = 0.0;        ///< what was minimised: the makespan
@@ -130,6 +131,9 @@ struct PlanOptions {
 Result<Plan> plan_coverage(const Task& task, const planner::Terrain& terrain, const PlanOptions& options);
 
 StopParams stop_params(const Task& task, const PlanOptions& options);
+
+/// Round what transfers fly: no-fly areas and the holes of the planned fields' polygons.
+Ways ways_of(const Task& task, std::span<const Polygon> polygons);
 
 /// Cuts all fields of a task; ids of sub-cells are unique from 0 on.
 struct FieldsCut {
