@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -136,6 +137,20 @@ bool contains(const Polygon& polygon, const Vec2& point) {
     if (contains(hole, point)) return false;
   }
   return true;
+}
+
+double border_distance_m(const Polygon& polygon, const Vec2& p) {
+  double least = std::numeric_limits<double>::infinity();
+  const auto look = [&](const Ring& ring) {
+    for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
+      const Vec2 edge = ring[i] - ring[j];
+      const double t = std::clamp((p - ring[j]).dot(edge) / std::max(edge.squaredNorm(), 1e-18), 0.0, 1.0);
+      least = std::min(least, (p - ring[j] - t * edge).norm());
+    }
+  };
+  look(polygon.outline);
+  for (const Ring& hole : polygon.holes) look(hole);
+  return least;
 }
 
 Vec2 rotated(const Vec2& p, double angle_rad) {

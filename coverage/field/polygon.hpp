@@ -50,6 +50,8 @@ Box bounds_of(const Ring& ring);
 /// Even-odd, borders either way.
 bool contains(const Polygon& polygon, const Vec2& point);
 bool contains(const Ring& ring, const Vec2& point);
+/// To the nearest point of outline or holes, from either side.
+double border_distance_m(const Polygon& polygon, const Vec2& point);
 Polygon rotated(const Polygon& polygon, double angle_rad);
 Vec2 rotated(const Vec2& point, double angle_rad);
 

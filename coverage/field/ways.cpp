@@ -17,20 +17,6 @@ constexpr double kPush_m = 0.02;
 constexpr double kTouch_m = 2.5e-3;
 constexpr std::size_t kMaxCorners = 400;
 
-double border_distance(const Polygon& polygon, const Vec2& p) {
-  double least = kFar;
-  const auto look = [&](const Ring& ring) {
-    for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
-      const Vec2 edge = ring[i] - ring[j];
-      const double t = std::clamp((p - ring[j]).dot(edge) / std::max(edge.squaredNorm(), 1e-18), 0.0, 1.0);
-      least = std::min(least, (p - ring[j] - t * edge).norm());
-    }
-  };
-  look(polygon.outline);
-  for (const Ring& hole : polygon.holes) look(hole);
-  return least;
-}
-
 }  // namespace
 
 /// Free ground bounded by rings; to the left of every ring it is free.
@@ -216,7 +202,7 @@ int Ways::room_of(const Vec2& place) const {
   const auto [found, is_new] = room_cache_.try_emplace({place.x(), place.y()}, -1);
   if (!is_new) return found->second;
   for (std::size_t i = 0; i < fields_.size() && found->second < 0; ++i) {
-    if (contains(fields_[i], place) || border_distance(fields_[i], place) < kTouch_m)
+    if (contains(fields_[i], place) || border_distance_m(fields_[i], place) < kTouch_m)
       found->second = static_cast<int>(i);
   }
   return found->second;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "coverage/field/places.hpp"
 #include "coverage/schedule/expand.hpp"
 #include "coverage/schedule/order.hpp"
 #include "planner/base/checks.hpp"
@@ -91,6 +92,9 @@ Status validate(const Task& task) {
   }
   if (task.neighbours < 1) return bad_input("There must be at least one neighbour in the graph.");
   if (!is_finite(task.start_m)) return bad_input("The start must be finite.");
+  const Vec2 start_m = task.start_m.head<2>();
+  if (const auto barred = barred_at(task.fields, task.no_fly, start_m))
+    return bad_input("The aircraft's start " + place_text(start_m) + " lies within " + *barred + ".");
   if (task.sweep_rad && !is_finite(*task.sweep_rad)) return bad_input("The sweep direction must be finite.");
   if (const Status status = validate(task.rules); !status) return status;
   if (const Status status = validate(task.battery); !status) return status;
@@ -162,6 +166,10 @@ Result<Plan> plan_coverage(const Task& task, const planner::Terrain& terrain, co
   add_field_totals(plan);
   if (plan.sub_cells.empty()) {
     return infeasible("No field can be planned. " + plan.fields.front().reason);
+  }
+  if (const auto barred = barred_at(task.fields, task.no_fly, task.charger.start_m.head<2>())) {
+    plan.notes.push_back("The charger's start " + place_text(task.charger.start_m.head<2>()) +
+                         " lies within " + *barred + ": only the aircraft keeps out of it.");
   }
   plan.polygons = std::move(cut.polygons);
   const Ways ways = ways_of(task, plan.polygons);
