@@ -82,6 +82,7 @@ Json field_json(const coverage::FieldReport& field, const coverage::Task& task) 
           {"place", place_json(task, field.id)},
           {"area_m2", field.area_m2},
           {"covered_m2", field.covered_m2},
+          {"uncovered_m2", std::max(0.0, field.area_m2 - field.covered_m2)},
           {"outside_m2", field.outside_m2},
           {"cells", field.cells},
           {"sub_cells", field.sub_cells},
@@ -89,14 +90,24 @@ Json field_json(const coverage::FieldReport& field, const coverage::Task& task) 
           {"wall_ms", field.wall_ms}};
 }
 
-/// Fields of a task without a plan: nothing was measured, all are refused for the task's reason.
-Json unplanned_json(const coverage::Field& field, const coverage::Task& task, const std::string& reason) {
+/// Fields of a task without a plan: all are refused, for their own reason or the task's.
+Json unplanned_json(const Covered& one, std::size_t at) {
+  const coverage::Field& field = one.task->fields[at];
   coverage::FieldReport report;
   report.id = field.id;
   report.name = field.name;
-  report.reason = reason;
   report.area_m2 = coverage::area_m2(field.polygon);
-  return field_json(report, task);
+  if (at < one.fields.size()) report.reason = one.fields[at].reason;
+  if (report.reason.empty()) report.reason = one.reason;
+  return field_json(report, *one.task);
+}
+
+/// Of the task's local frame; null: metres of no place on Earth.
+Json origin_json(const coverage::Task& task) {
+  if (!task.origin) return nullptr;
+  return {{"lat_deg", task.origin->lat_deg},
+          {"lon_deg", task.origin->lon_deg},
+          {"elevation_m", task.origin->elevation_m}};
 }
 
 Json leg_json(const coverage::Leg& leg, std::size_t task) {
@@ -140,15 +151,18 @@ Json document(const CoverJob& job, const std::vector<Covered>& done, CoverStatus
   out["status"] = name(status);
   out["reason"] = "";
   out["tasks"] = done.size();
+  out["origins"] = Json::array();
   out["fields"] = Json::array();
+  out["notes"] = Json::array();
   Json legs = Json::array();
   Json meetings = Json::array();
   for (std::size_t task = 0; task < done.size(); ++task) {
     const Covered& one = done[task];
+    out["origins"].push_back(origin_json(*one.task));
     if (!one.plan) {
       if (out["reason"] == "") out["reason"] = one.reason;
-      for (const auto& field : one.task->fields)
-        out["fields"].push_back(unplanned_json(field, *one.task, one.reason));
+      for (std::size_t at = 0; at < one.task->fields.size(); ++at)
+        out["fields"].push_back(unplanned_json(one, at));
       continue;
     }
     for (const auto& field : one.plan->fields) {
@@ -156,6 +170,7 @@ Json document(const CoverJob& job, const std::vector<Covered>& done, CoverStatus
       if (out["reason"] == "" && field.status == coverage::FieldStatus::kRefused)
         out["reason"] = field.reason;
     }
+    for (const std::string& note : one.plan->notes) out["notes"].push_back(note);
     for (const auto& leg : one.plan->legs) legs.push_back(leg_json(leg, task));
     for (const auto& meeting : one.plan->rendezvous) meetings.push_back(rendezvous_json(meeting, task));
   }
@@ -190,6 +205,7 @@ std::string table_of(const CoverJob& job, const Json& json) {
                        field["sub_cells"].get<int>(), field["sweep_deg"].get<double>());
     if (field["reason"] != "") out += fmt::format("    {}\n", field["reason"].get<std::string>());
   }
+  for (const Json& note : json["notes"]) out += fmt::format("  note        {}\n", note.get<std::string>());
   if (json["legs"].empty()) return out;
   out += fmt::format(
       "  covered     {:.3f} % of the planned fields\n  makespan    {:.1f} s, {} recharges, {:.1f} s waiting "
@@ -207,15 +223,20 @@ std::string table_of(const CoverJob& job, const Json& json) {
 std::string legs_csv(const Json& json) {
   std::string out =
       "task,field,sub_cell,kind,from_x_m,from_y_m,from_z_m,to_x_m,to_y_m,to_z_m,height_m,transfer,energy_"
-      "before,energy_after,start_s,end_s\n";
+      "before,energy_after,start_s,end_s,bends_m\n";
   for (const Json& leg : json["legs"]) {
     const auto& a = leg["from_m"];
     const auto& b = leg["to_m"];
-    out += fmt::format(
-        "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", leg["task"].dump(), leg["field"].dump(),
-        leg["sub_cell"].dump(), leg["kind"].get<std::string>(), a[0].dump(), a[1].dump(), a[2].dump(),
-        b[0].dump(), b[1].dump(), b[2].dump(), leg["height_m"].dump(), leg["transfer"].get<std::string>(),
-        leg["energy_before"].dump(), leg["energy_after"].dump(), leg["start_s"].dump(), leg["end_s"].dump());
+    std::string bends;  // x y z; x y z of the transfer that follows
+    for (const Json& bend : leg["transfer_m"])
+      bends += fmt::format("{}{} {} {}", bends.empty() ? "" : "; ", bend[0].dump(), bend[1].dump(),
+                           bend[2].dump());
+    out +=
+        fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", leg["task"].dump(),
+                    leg["field"].dump(), leg["sub_cell"].dump(), leg["kind"].get<std::string>(), a[0].dump(),
+                    a[1].dump(), a[2].dump(), b[0].dump(), b[1].dump(), b[2].dump(), leg["height_m"].dump(),
+                    leg["transfer"].get<std::string>(), leg["energy_before"].dump(),
+                    leg["energy_after"].dump(), leg["start_s"].dump(), leg["end_s"].dump(), bends);
   }
   return out;
 }

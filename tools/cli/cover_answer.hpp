@@ -16,6 +16,7 @@ struct Covered {
   std::optional<coverage::Plan> plan;
   std::string reason;  ///< why there is no plan
   double wall_s = 0.0;
+  std::vector<coverage::FieldReport> fields{};  ///< without a plan: how each field was cut or why refused
 };
 
 enum class CoverStatus { kCertified, kPartial, kInfeasible, kInterrupted };
