@@ -27,6 +27,8 @@ Status validate(const RoadParams& params) {
   if (!is_positive(params.speed_mps)) return bad_input("The robot's speed on the road must be positive.");
   if (!is_non_negative(params.off_road_speed_mps))
     return bad_input("The robot's speed off the road must not be negative.");
+  if (params.off_road_speed_mps > params.speed_mps)
+    return bad_input("The robot must not be faster off the road than on it.");
   if (!is_non_negative(params.off_road_max_m))
     return bad_input("How far the robot may leave the road must not be negative.");
   if (!is_positive(params.join_m)) return bad_input("The distance within which roads join must be positive.");

@@ -89,6 +89,20 @@ struct BatterySpec {
   int levels = 10;
   double reserve = 25.0;
   double charge_s_per_unit = 2.0;
+  double taper_from = 1.0;      ///< share of the capacity above which charging slows down; 1: never
+  double taper_end_rate = 0.1;  ///< share of the charging rate that is left when full
+};
+
+/// Where the ground robot may drive.
+struct RoadSpec {
+  std::string file;                 ///< GeoJSON lines; coverage/ground reads it
+  double off_road_speed_mps = 0.0;  ///< 0: it does not leave the road
+  double off_road_max_m = 200.0;
+};
+struct RoughGroundSpec {
+  double slope_max_rad = 0.35;
+  std::string forbidden_file;  ///< polygons; empty: none
+  double cell_m = 2.0;
 };
 
 struct ChargerSpec {
@@ -97,6 +111,7 @@ struct ChargerSpec {
   double take_off_s = 5.0;
   double landing_s = 5.0;
   Vec2 start_m = Vec2::Zero();
+  std::variant<std::monostate, RoadSpec, RoughGroundSpec> ground{};  ///< monostate: anywhere, straight
 };
 
 struct CoverageSpec {

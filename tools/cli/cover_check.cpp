@@ -59,18 +59,43 @@ void check_legs(const coverage::Plan& plan, const coverage::Task& task, std::vec
   }
 }
 
+/// From bend to bend at no more than its speed; along roads by a plan's own word.
+double least_drive_s(const coverage::Task& task, Vec3 at, const std::vector<Vec3>& bends, const Vec3& to) {
+  double length_m = 0.0;
+  for (const Vec3& bend : bends) {
+    length_m += (bend - at).head<2>().norm();
+    at = bend;
+  }
+  return (length_m + (to - at).head<2>().norm()) / task.charger.speed_mps;
+}
+
+/// What charging from one energy to another takes at least, in steps of even rate.
+double least_charge_s(const coverage::Battery& battery, double from, double to) {
+  constexpr int kSteps = 1000;
+  const double begin = battery.taper_from * battery.capacity;
+  if (battery.taper_from >= 1.0 || to <= begin) return (to - from) * battery.charge_s_per_unit;
+  double time_s = 0.0;
+  for (int i = 0; i < kSteps; ++i) {
+    // The rate at the step's beginning is its greatest.
+    const double past = std::max(0.0, from + (to - from) * i / kSteps - begin) / (battery.capacity - begin);
+    const double rate = 1.0 - (1.0 - battery.taper_end_rate) * std::min(1.0, past);
+    time_s += (to - from) / kSteps * battery.charge_s_per_unit / rate;
+  }
+  return time_s;
+}
+
 void check_robot(const coverage::Plan& plan, const coverage::Task& task, std::vector<std::string>& faults) {
   Vec3 at = task.charger.start_m;
   double free_s = 0.0;
   for (const coverage::Rendezvous& meeting : plan.rendezvous) {
-    const double drive_s = (meeting.site_m - at).head<2>().norm() / task.charger.speed_mps;
+    const double drive_s = least_drive_s(task, at, meeting.robot_bends_m, meeting.site_m);
     if (meeting.robot_arrives_s < free_s + drive_s - kTime_s) {
       faults.push_back(fmt::format("The robot is said to reach rendezvous {} at {} s; it cannot before {} s.",
                                    meeting.id, meeting.robot_arrives_s, free_s + drive_s));
     }
     const double carry_s =
-        meeting.carry ? (meeting.carry_to_m - meeting.site_m).head<2>().norm() / task.charger.speed_mps : 0.0;
-    const double charge_s = (meeting.charge_to - meeting.energy_from) * task.battery.charge_s_per_unit;
+        meeting.carry ? least_drive_s(task, meeting.site_m, meeting.carry_bends_m, meeting.carry_to_m) : 0.0;
+    const double charge_s = least_charge_s(task.battery, meeting.energy_from, meeting.charge_to);
     const double together_s = meeting.depart_s - std::max(meeting.robot_arrives_s, meeting.land_s);
     if (together_s < std::max(carry_s, charge_s) - kTime_s) {
       faults.push_back(fmt::format("Rendezvous {} lasts {} s; charging and driving take {} s.", meeting.id,

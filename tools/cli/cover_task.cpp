@@ -7,8 +7,11 @@
 #include <utility>
 
 #include "coverage/field/geojson.hpp"
+#include "coverage/field/places.hpp"
 #include "coverage/task/energy_of.hpp"
 #include "coverage/task/fields_of.hpp"
+#include "coverage/task/ground_of.hpp"
+#include "planner/base/checks.hpp"
 #include "planner/scenario/load.hpp"
 
 namespace swallowtail::cli {
@@ -18,8 +21,12 @@ Vec3 on_ground(const planner::Terrain& terrain, const Vec2& site) {
   return {site.x(), site.y(), terrain.height_at(site.x(), site.y())};
 }
 
-Vec2 first_corner(const coverage::Field& field) {
-  return field.polygon.outline.empty() ? Vec2(Vec2::Zero()) : field.polygon.outline.front();
+/// The first corner that is a place outside no-fly areas.
+Vec2 first_corner(const coverage::Field& field, const std::vector<coverage::Polygon>& no_fly) {
+  for (const Vec2& corner : field.polygon.outline) {
+    if (is_finite(corner) && !coverage::barred_at({}, no_fly, corner)) return corner;
+  }
+  return Vec2::Zero();
 }
 
 void start_at(coverage::Task& task, const Vec3& site) {
@@ -66,6 +73,27 @@ Result<coverage::FieldFile> read(const FieldsJob& job, coverage::FieldFrame fram
   return chosen;
 }
 
+/// The robot may go as far beyond the fields.
+constexpr double kGroundMargin_m = 200.0;
+
+Status set_ways(const FieldsJob& job, const planner::Terrain& terrain, coverage::Task& task) {
+  Vec2 lo = task.start_m.head<2>();
+  Vec2 hi = lo;
+  for (const auto& field : task.fields) {
+    for (const Vec2& corner : field.polygon.outline) {
+      lo = lo.cwiseMin(corner);
+      hi = hi.cwiseMax(corner);
+    }
+  }
+  const Vec2 margin = Vec2::Constant(kGroundMargin_m);
+  planner::ChargerSpec spec = job.ways;
+  spec.speed_mps = task.charger.speed_mps;
+  auto travel = coverage::ground_of(spec, {lo - margin, hi + margin}, task.origin, terrain);
+  if (!travel) return travel.error();
+  task.charger.travel = std::move(*travel);
+  return {};
+}
+
 }  // namespace
 
 Result<CoverJob> job_of(const planner::Scenario& scenario, std::uint64_t seed) {
@@ -95,6 +123,12 @@ Result<CoverJob> job_of(const planner::Scenario& scenario, std::uint64_t seed) {
   task.charger.take_off_s = spec.charger.take_off_s;
   task.charger.landing_s = spec.charger.landing_s;
   task.charger.start_m = on_ground(*terrain, spec.charger.start_m);
+  const coverage::Box ground{scenario.bounds.min_m.head<2>(), scenario.bounds.max_m.head<2>()};
+  auto travel = coverage::ground_of(spec.charger, ground, task.origin, *terrain);
+  if (!travel) return travel.error();
+  task.charger.travel = std::move(*travel);
+  task.battery.taper_from = spec.battery.taper_from;
+  task.battery.taper_end_rate = spec.battery.taper_end_rate;
   task.start_m = planner::start_position_m(scenario, *terrain);
   task.seed = seed;
   CoverJob job;
@@ -118,7 +152,8 @@ Result<CoverJob> job_of(const FieldsJob& fields) {
       task.fields = std::move(file->fields);
       task.origin = file->origin;
       task.no_fly = std::move(file->no_fly.front());
-      start_at(task, on_ground(job.terrain, first_corner(task.fields.front())));
+      start_at(task, on_ground(job.terrain, first_corner(task.fields.front(), task.no_fly)));
+      if (const Status status = set_ways(fields, job.terrain, task); !status) return status.error();
       job.tasks.push_back(std::move(task));
       return job;
     }
@@ -130,8 +165,9 @@ Result<CoverJob> job_of(const FieldsJob& fields) {
     coverage::Task one = task;
     if (i < file->origins.size()) one.origin = file->origins[i];
     one.no_fly = file->origins.empty() ? file->no_fly.front() : std::move(file->no_fly[i]);
-    start_at(one, on_ground(job.terrain, first_corner(file->fields[i])));
+    start_at(one, on_ground(job.terrain, first_corner(file->fields[i], one.no_fly)));
     one.fields.push_back(std::move(file->fields[i]));
+    if (const Status status = set_ways(fields, job.terrain, one); !status) return status.error();
     job.tasks.push_back(std::move(one));
   }
   return job;

@@ -30,6 +30,7 @@ struct FieldsJob {
   std::map<std::string, double> class_heights_m;
   std::string no_fly_file;  ///< see FieldFileOptions
   double default_height_m = 20.0;
+  planner::ChargerSpec ways{};  ///< where the ground robot may drive: its `ground`
   std::optional<double> sweep_deg;
   enum class Split { kAuto, kOne, kEach } split = Split::kAuto;
 };

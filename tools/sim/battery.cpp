@@ -13,6 +13,11 @@ constexpr double kDriftTime_s = 30.0;
 constexpr double kLeastWindShare = -0.5;
 constexpr double kMostDrift = 3.0;
 
+coverage::ChargingCurve charging_of(const planner::Scenario& scenario, double capacity) {
+  const planner::BatterySpec spec = scenario.coverage ? scenario.coverage->battery : planner::BatterySpec{};
+  return {spec.charge_s_per_unit, capacity, spec.taper_from, spec.taper_end_rate};
+}
+
 }  // namespace
 
 Battery::Battery(const planner::Scenario& scenario, double capacity, std::uint64_t seed)
@@ -21,6 +26,7 @@ Battery::Battery(const planner::Scenario& scenario, double capacity, std::uint64
       noise_(scenario.battery_noise),
       cruise_speed_mps_(scenario.vehicle.limits.cruise_speed_mps),
       capacity_(capacity),
+      charging_(charging_of(scenario, capacity)),
       rng_(seed),
       energy_(capacity),
       least_energy_(capacity) {
@@ -62,7 +68,9 @@ void Battery::advance(const Load& load, double duration_s) {
   const double noise = load.on_ground ? 0.0 : noise_ * drift_;
   const double before = energy_;
   const double drawn = model_power(load) * std::max(0.0, 1.0 + wind_share(load) + noise);
-  energy_ = std::clamp(energy_ + (load.charge_rate - drawn) * duration_s, 0.0, capacity_);
+  const double charged =
+      charging_.is_linear() ? load.charge_rate : std::min(load.charge_rate, charging_.rate(energy_));
+  energy_ = std::clamp(energy_ + (charged - drawn) * duration_s, 0.0, capacity_);
   power_ = (before - energy_) / duration_s;
   least_energy_ = std::min(least_energy_, energy_);
 }

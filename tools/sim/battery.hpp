@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "coverage/energy/charging.hpp"
 #include "coverage/energy/model.hpp"
 #include "planner/base/rng.hpp"
 #include "planner/base/vec.hpp"
@@ -22,6 +23,7 @@ struct Load {
 /// - wind: a multirotor's power is that of its speed through the air, and this is 0; with rates it is (|air
 /// speed| − |ground speed|) / cruise speed, at least −0.5; the wind's speed deviates by gusts;
 /// - noise: a slow wander of standard deviation `battery_noise`.
+/// It takes no more from the plug than the scenario's charging curve allows with what it holds.
 /// Gusts and noise are first-order autoregressive, drawn once per step whatever the aircraft does, so that a
 /// seed gives one weather.
 class Battery {
@@ -50,6 +52,7 @@ class Battery {
   const double noise_;
   const double cruise_speed_mps_;
   const double capacity_;
+  coverage::ChargingCurve charging_;
   Rng rng_;
   double gust_ = 0.0;   ///< −1 … 1
   double drift_ = 0.0;  ///< standard normal

@@ -6,6 +6,7 @@
 #include <utility>
 #include <variant>
 
+#include "coverage/energy/charging.hpp"
 #include "coverage/task/energy_of.hpp"
 #include "coverage/task/fields_of.hpp"
 #include "planner/scenario/load.hpp"
@@ -113,12 +114,18 @@ void add_part(const coverage::Field& field, coverage::Polygon part, Mission& mis
   mission.fields.push_back({field.id, field.name, std::move(part), field.height_m});
 }
 
-Status add_fields(const coverage::ScenarioFields& wanted, Mission& mission) {
+Status add_fields(const coverage::ScenarioFields& wanted, const planner::ChargerSpec& charger,
+                  Mission& mission) {
   if (!wanted.no_fly.empty()) {
     return bad_input(
         "The scenario's field file has " + std::to_string(wanted.no_fly.size()) +
         " no-fly areas, and the wire does not carry them: a mission would fly over them. Plan with "
         "`swallowtail cover`, or make them obstacles.");
+  }
+  if (!std::holds_alternative<std::monostate>(charger.ground)) {
+    return bad_input(
+        "The scenario's ground robot keeps to roads or ground that the wire does not carry: in a mission it "
+        "would drive straight. Plan with `swallowtail cover`.");
   }
   data::CoverageTask& task = *mission.task;
   for (const coverage::Field& field : wanted.fields) {
@@ -155,6 +162,14 @@ double highest_m(const planner::Scenario& scenario, const planner::Terrain& terr
   return ground_m + std::max(height_m + spec.height_tolerance_m, scenario.vehicle.limits.clearance_m() + 1.0);
 }
 
+/// The wire has one charging rate: the mean one from the reserve to full.
+double mean_charge_s_per_unit(const planner::BatterySpec& battery) {
+  const coverage::ChargingCurve curve{battery.charge_s_per_unit, battery.capacity, battery.taper_from,
+                                      battery.taper_end_rate};
+  if (curve.is_linear()) return battery.charge_s_per_unit;
+  return curve.seconds(battery.reserve, battery.capacity) / (battery.capacity - battery.reserve);
+}
+
 /// The wire has one rate for each phase: those of the most that the energy model asks for there.
 void fill_task(const planner::Scenario& scenario, const planner::Terrain& terrain, data::CoverageTask& task) {
   const planner::CoverageSpec& spec = *scenario.coverage;
@@ -170,7 +185,7 @@ void fill_task(const planner::Scenario& scenario, const planner::Terrain& terrai
   task.battery = {.capacity = spec.battery.capacity,
                   .reserve = spec.battery.reserve,
                   .levels = static_cast<std::uint32_t>(spec.battery.levels),
-                  .charge_s_per_unit = spec.battery.charge_s_per_unit,
+                  .charge_s_per_unit = mean_charge_s_per_unit(spec.battery),
                   .model = {.level_per_s = rates.level_per_s,
                             .climb_per_s = rates.climb_per_s,
                             .descent_per_s = rates.descent_per_s,
@@ -229,7 +244,8 @@ Result<Mission> make_mission(const planner::Scenario& scenario, const planner::T
     if (wanted->origin) mission.origin = to_data(*wanted->origin);
     mission.task.emplace();
     fill_task(scenario, terrain, *mission.task);
-    if (Status filled = add_fields(*wanted, mission); !filled) return filled.error();
+    if (Status filled = add_fields(*wanted, scenario.coverage->charger, mission); !filled)
+      return filled.error();
     mission.task->origin = mission.origin;
     mission.task->start = to_data(mission.start_m);
     mission.task->seed = seed;

@@ -85,11 +85,32 @@ void read_battery(Section& coverage, BatterySpec& out) {
   battery->integer("levels", Need::kRequired, from_to(2, 100), out.levels);
   ok = battery->number("reserve", Need::kRequired, from_to(0, 1e9), out.reserve) && ok;
   battery->number("charge_s_per_unit", Need::kRequired, above_to(0, 1e4), out.charge_s_per_unit);
+  battery->number("taper_from", Need::kOptional, from_to(0, 1), out.taper_from);
+  battery->number("taper_end_rate", Need::kOptional, from_to(0.001, 1), out.taper_end_rate);
   battery->finish();
   if (ok && out.reserve >= out.capacity) battery->fail(Kind::kRelation, "reserve", "must be below capacity");
 }
 
-void read_charger(Section& coverage, const Bounds& bounds, ChargerSpec& out) {
+void read_ground(Section& charger, const std::string& folder, ChargerSpec& out) {
+  if (auto roads = charger.section("roads", Need::kOptional); roads && roads->is_map()) {
+    RoadSpec& spec = out.ground.emplace<RoadSpec>();
+    resolve_file(*roads, "file", folder, spec.file);
+    roads->number("off_road_speed_mps", Need::kOptional, from_to(0, kMaxSpeed_mps), spec.off_road_speed_mps);
+    roads->number("off_road_max_m", Need::kOptional, from_to(0, 1e5), spec.off_road_max_m);
+    roads->finish();
+  }
+  if (auto rough = charger.section("rough_ground", Need::kOptional); rough && rough->is_map()) {
+    if (std::holds_alternative<RoadSpec>(out.ground))
+      charger.fail(Kind::kRelation, "rough_ground", "must not stand beside roads");
+    RoughGroundSpec& spec = out.ground.emplace<RoughGroundSpec>();
+    rough->angle_deg("slope_max_deg", Need::kRequired, from_to(0, 85), spec.slope_max_rad);
+    if (rough->has("forbidden")) resolve_file(*rough, "forbidden", folder, spec.forbidden_file);
+    rough->number("cell_m", Need::kOptional, above_to(0, 1e3), spec.cell_m);
+    rough->finish();
+  }
+}
+
+void read_charger(Section& coverage, const std::string& folder, const Bounds& bounds, ChargerSpec& out) {
   auto charger = coverage.section("charger", Need::kRequired);
   if (!charger || !charger->is_map()) return;
   charger->integer("id", Need::kOptional, kId, out.id);
@@ -101,6 +122,7 @@ void read_charger(Section& coverage, const Bounds& bounds, ChargerSpec& out) {
   if (has_start && !bounds.contains({out.start_m.x(), out.start_m.y(), bounds.min_m.z()})) {
     charger->fail(Kind::kRelation, "start_m", "must be within bounds_m");
   }
+  read_ground(*charger, folder, out);
   charger->finish();
 }
 
@@ -190,7 +212,7 @@ void read_coverage(Section& top, const std::string& folder, Scenario& scenario) 
   section->number("height_band_m", Need::kOptional, from_to(0, 1e4), coverage.height_band_m);
   section->integer("neighbours", Need::kOptional, from_to(1, 1000), coverage.neighbours);
   read_battery(*section, coverage.battery);
-  read_charger(*section, scenario.bounds, coverage.charger);
+  read_charger(*section, folder, scenario.bounds, coverage.charger);
   section->finish();
   scenario.coverage = std::move(coverage);
 }

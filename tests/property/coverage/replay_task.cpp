@@ -76,7 +76,7 @@ void set_ground(Rng& rng, ReplayTask& out) {
       for (int at = -5; at <= 5; ++at) params.lines.back().push_back(crossing(at, line));
     }
     params.speed_mps = rng.uniform(1.0, 5.0);
-    params.off_road_speed_mps = rng.uniform() < 0.2 ? 0.0 : rng.uniform(0.4, 2.0);
+    params.off_road_speed_mps = rng.uniform() < 0.2 ? 0.0 : rng.uniform(0.2, 1.0) * params.speed_mps;
     params.off_road_max_m = rng.uniform(20.0, 300.0);
     robot.roads = params.lines;
     robot.road_speed_mps = params.speed_mps;

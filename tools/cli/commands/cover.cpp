@@ -1,9 +1,11 @@
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <filesystem>
 #include <limits>
 #include <map>
 #include <memory>
+#include <numbers>
 #include <optional>
 #include <set>
 #include <thread>
@@ -35,7 +37,35 @@ struct CoverOptions {
   bool compare_full_graph = false;
   bool has_sensor_width = false;
   std::vector<std::string> class_heights;  ///< NAME=METRES
+  bool is_multirotor = false;
+  coverage::Multirotor craft;
+  double wind_mps = 0.0;
+  double wind_to_deg = 0.0;
+  planner::RoadSpec roads;
+  planner::RoughGroundSpec rough;
+  std::optional<double> slope_max_deg;
 };
+
+/// Energy model and the ground robot's ways, as far as they are put together from several options.
+Status complete(CoverOptions& options) {
+  FieldsJob& fields = options.fields;
+  if (options.is_multirotor) {
+    const double to_rad = options.wind_to_deg * std::numbers::pi / 180.0;
+    fields.task.battery.model.multirotor = options.craft;
+    fields.task.battery.model.wind_mps = options.wind_mps * Vec2(std::sin(to_rad), std::cos(to_rad));
+  } else if (options.wind_mps > 0.0) {
+    return bad_input("--wind-speed: only --energy-model multirotor knows what wind takes.");
+  }
+  const bool is_rough = options.slope_max_deg || !options.rough.forbidden_file.empty();
+  if (!options.roads.file.empty() && is_rough)
+    return bad_input("--roads does not go with --slope-max-deg or --forbidden.");
+  if (!options.roads.file.empty()) fields.ways.ground = options.roads;
+  if (is_rough) {
+    options.rough.slope_max_rad = options.slope_max_deg.value_or(80.0) * std::numbers::pi / 180.0;
+    fields.ways.ground = options.rough;
+  }
+  return {};
+}
 
 /// NAME=METRES to its two sides.
 Status add_class_height(const std::string& text, std::map<std::string, double>& out) {
@@ -73,6 +103,8 @@ Covered cover_one(const coverage::Task& task, const planner::Terrain& terrain,
   out.wall_s = options.clock->now_s() - begin_s;
   if (!plan) {
     out.reason = plan.error().message;
+    if (plan.error().code == Error::Code::kInfeasible)
+      out.fields = coverage::cut_fields(task, terrain, options).reports;
     return out;
   }
   const std::vector<std::string> faults = check_cover(*plan, task);
@@ -127,6 +159,7 @@ std::optional<CoverJob> read_job(CoverOptions& options, Exit& exit) {
       return job_of(*scenario, options.common.seed);
     }
     if (!options.has_sensor_width) return bad_input("cover: a fields file needs --sensor-width.");
+    if (const Status status = complete(options); !status) return status.error();
     for (const std::string& text : options.class_heights) {
       if (const Status status = add_class_height(text, options.fields.class_heights_m); !status.ok())
         return status.error();
@@ -202,6 +235,54 @@ void add_rules_options(CLI::App& group, FieldsJob& fields) {
       ->check(CLI::PositiveNumber);
 }
 
+void add_energy_options(CLI::App& group, CoverOptions& options) {
+  coverage::Battery& battery = options.fields.task.battery;
+  const std::map<std::string, bool> models = {{"document", false}, {"multirotor", true}};
+  group
+      .add_option("--energy-model", options.is_multirotor,
+                  "One unit for each second aloft, or a multirotor by momentum theory with units of a Wh")
+      ->transform(CLI::CheckedTransformer(models))
+      ->option_text("document|multirotor");
+  group.add_option("--mass", options.craft.mass_kg, "The multirotor without payload, kg")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  group.add_option("--payload", options.craft.payload_kg, "kg")->check(CLI::NonNegativeNumber);
+  group.add_option("--rotors", options.craft.rotors, "Rotors of the multirotor")
+      ->check(CLI::Range(1, 64))
+      ->capture_default_str();
+  group.add_option("--rotor-radius", options.craft.rotor_radius_m, "m")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  group.add_option("--wind-speed", options.wind_mps, "Constant wind that the multirotor flies in, m/s")
+      ->check(CLI::NonNegativeNumber);
+  group.add_option("--wind-to-deg", options.wind_to_deg, "Where it blows to, clockwise from north");
+  group
+      .add_option("--altitude-factor", battery.model.altitude_per_m,
+                  "Share by which consumption grows per metre of height")
+      ->check(CLI::NonNegativeNumber);
+  group
+      .add_option("--taper-from", battery.taper_from,
+                  "Share of the capacity above which charging slows down (constant voltage)")
+      ->check(CLI::Range(0.0, 1.0));
+  group.add_option("--taper-end-rate", battery.taper_end_rate, "Share of the charging rate left when full")
+      ->check(CLI::Range(0.001, 1.0))
+      ->capture_default_str();
+}
+
+void add_ground_options(CLI::App& group, CoverOptions& options) {
+  group.add_option("--roads", options.roads.file, "Lines that the ground robot drives along, a vector file");
+  group
+      .add_option("--off-road-speed", options.roads.off_road_speed_mps,
+                  "Its speed between a site and the road, m/s; 0: it does not leave the road")
+      ->check(CLI::NonNegativeNumber);
+  group.add_option("--off-road-max", options.roads.off_road_max_m, "No farther from the road, m")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  group.add_option("--slope-max-deg", options.slope_max_deg, "Steepest ground that it drives over")
+      ->check(CLI::Range(0.0, 85.0));
+  group.add_option("--forbidden", options.rough.forbidden_file, "Polygons that it does not drive over");
+}
+
 void add_fields_options(CLI::App& command, CoverOptions& options) {
   FieldsJob& fields = options.fields;
   const std::map<std::string, FieldsJob::Split> splits = {
@@ -243,6 +324,8 @@ void add_fields_options(CLI::App& command, CoverOptions& options) {
   group->add_option("--charger-speed", fields.task.charger.speed_mps, "Speed of the ground robot, m/s")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
+  add_energy_options(*group, options);
+  add_ground_options(*group, options);
   group->add_option("--neighbours", fields.task.neighbours, "Neighbours kept for each sub-cell")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
