@@ -11,9 +11,11 @@ namespace {
 // Ours, by measurement on random instances and the files of [GTSPLIB].
 constexpr int kFirstMemory = 4;
 constexpr int kWindow = 6;            ///< arcs
-constexpr double kWindowShare = 0.5;  ///< of the first climb's work without an upper bound
-constexpr double kNear = 0.985;       ///< bound to upper bound: from there on whole walks are better
-constexpr double kLearning = 0.3;     ///< of potentials, from each look through the windows
+constexpr double kWindowShare = 0.5;  ///< of the first climb's work, where whole walks may prove a tour best
+constexpr int kFewClusters = 60;      ///< up to so many they may
+constexpr double kBelowAll = -1e300;
+constexpr double kNear = 0.985;    ///< bound to upper bound: from there on whole walks are better
+constexpr double kLearning = 0.3;  ///< of potentials, from each look through the windows
 constexpr int kWalksBetweenListings = 4;
 constexpr std::size_t kGrowth = 1;  ///< of each memory at once, by windows
 constexpr int kFirstArcs = 14;
@@ -25,6 +27,8 @@ constexpr int kPatience = 6;  ///< walks without a better bound before the step 
 constexpr double kStepCut = 0.6;
 constexpr double kLeastStep = 0.2;  ///< below, memory grows
 constexpr double kStepAfterWidening = 0.6;
+constexpr double kLeastWindowStep = 0.1;
+constexpr double kWindowStepAfterWidening = 0.25;
 constexpr std::size_t kRecentWalks = 12;
 constexpr double kRounding = 1e-10;  ///< relative, of sums of doubles
 
@@ -120,11 +124,13 @@ WalkAscent::End WalkAscent::climb(double work, const StopCondition& stop) {
   const double end = work_ + work;
   if (!is_warm_) {
     is_warm_ = true;
-    const double share = upper_bound_ == kNoArc ? kWindowShare : 1.0;
+    const bool is_provable = upper_bound_ == kNoArc || graph_.cluster_count() <= kFewClusters;
+    const double share = is_provable ? kWindowShare : 1.0;
     const End warm = climb_by_windows(share * work, stop);
     if (warm != End::kWork) return warm;
     step_back();
     step_ = 1.0;
+    level_ = kBelowAll;
   }
   while (work_ + walks_.pass_work() <= end) {
     if (stop.reached(0, 0)) return End::kStopped;
@@ -162,7 +168,7 @@ WalkAscent::End WalkAscent::climb_by_windows(double work, const StopCondition& s
     if (walks_.forgets_all()) walks_.learn_potentials(kLearning);
     move_prices(value, missing);
     list_leaps();
-    if (step_ < kLeastStep && !widen_windows(arcs, end - work_)) break;
+    if (step_ < kLeastWindowStep && !widen_windows(arcs, end - work_)) break;
   }
   step_back();
   return End::kWork;
@@ -193,7 +199,7 @@ double WalkAscent::look_through_windows(int arcs, std::vector<double>& missing) 
 /// False when it is not worth going on by windows.
 bool WalkAscent::widen_windows(int arcs, double work_left) {
   constexpr double kWindowsToUse = 20.0;
-  step_ = kStepAfterWidening;
+  step_ = kWindowStepAfterWidening;
   step_back();
   const auto old = walks_.memory();
   auto memory = widened(arcs, kGrowth);
@@ -226,9 +232,10 @@ void WalkAscent::note_value(double value) {
   double size = 1.0;
   for (const double price : price_) size += std::abs(price);
   value -= kRounding * size;
-  stall_ = value > bound_ + 1e-5 * std::abs(bound_) ? 0 : stall_ + 1;
-  if (value <= bound_) return;
-  bound_ = value;
+  stall_ = value > level_ + 1e-5 * std::abs(level_) ? 0 : stall_ + 1;
+  bound_ = std::max(bound_, value);
+  if (value <= level_) return;
+  level_ = value;
   best_price_ = price_;
   best_potential_ = walks_.potentials();
 }

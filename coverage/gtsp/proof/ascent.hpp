@@ -32,7 +32,7 @@ class WalkAscent {
 
   /// No tour below the upper bound costs less; may be more than the upper bound.
   double bound() const { return bound_; }
-  /// As it was for the bound, by cluster of the graph.
+  /// As it was for the best bound by whole walks, or by windows before there was one; by cluster of the graph.
   const std::vector<double>& price() const { return best_price_; }
   NgWalks& walks() { return walks_; }
   const std::vector<int>& tour() const { return tour_; }  ///< after kTour: vertices of the graph, root first
@@ -67,6 +67,7 @@ class WalkAscent {
   NgWalks walks_;
   double upper_bound_;
   double bound_ = 0.0;
+  double level_ = 0.0;  ///< best value of what climbs at present, windows or walks
   double work_ = 0.0;
   double step_ = 1.0;
   int stall_ = 0;
