@@ -71,9 +71,8 @@ bool PrecedenceSearch::solve_over_subsets() {
   const Anchor anchor = make_anchor(instance_, options_);
   if (free_.empty() || anchor.inner_cost == kNoArc) return false;
   const Pruning pruning = prune(instance_, anchor);
-  const bool has_none = pruning.emptied_cluster >= 0 || pruning.is_anchor_dead;
   ExactAnswer answer{ExactAnswer::Kind::kNoTour, {}, kNoArc};
-  if (!has_none) {
+  if (!pruning.has_no_tour()) {
     const ExactParams params{.work = exact_work(options_.mode), .precedence = options_.precedence};
     answer = solve_exactly(instance_, anchor, pruning, params, options_.stop);
   }

@@ -1,9 +1,13 @@
 #include "coverage/gtsp/detail/pruning.hpp"
 
+#include <algorithm>
 #include <cstddef>
+#include <numeric>
 
 namespace swallowtail::gtsp::detail {
 namespace {
+
+constexpr double kMostCutWork = 3e7;
 
 /// The folded instance's arcs without their costs, in one direction.
 struct Links {
@@ -31,6 +35,7 @@ class Pruner {
   Pruning run() {
     drop_by_degree();
     while (name_emptied_cluster(), !is_proved() && drop_unreachable()) drop_by_degree();
+    if (!is_proved()) name_cutting_cluster();
     return std::move(result_);
   }
 
@@ -39,7 +44,7 @@ class Pruner {
     return anchor_.fixed_cluster[static_cast<std::size_t>(instance_.cluster_of(v))] == 0;
   }
   bool is_alive(int v) const { return result_.is_alive[static_cast<std::size_t>(v)] != 0; }
-  bool is_proved() const { return result_.emptied_cluster >= 0 || result_.is_anchor_dead; }
+  bool is_proved() const { return result_.has_no_tour(); }
   int node_count() const { return instance_.vertex_count() + 1; }
 
   void link() {
@@ -69,10 +74,36 @@ class Pruner {
     });
   }
 
-  bool has_living(const Links& links, int v) const {
-    bool found = false;
-    links.for_each(v, [&](int w) { found = found || is_alive(w); });
-    return found;
+  int cluster_of(int v) const {
+    return v == instance_.vertex_count() ? instance_.cluster_count() : instance_.cluster_of(v);
+  }
+
+  /// The living clusters at the other ends of a vertex's arcs, as far as it matters how many they are.
+  struct Ends {
+    int one = -1;  ///< −1 = none
+    bool has_more = false;
+  };
+  Ends ends(const Links& links, int v) const {
+    Ends ends;
+    links.for_each(v, [&](int w) {
+      if (!is_alive(w)) return;
+      if (ends.one < 0) ends.one = cluster_of(w);
+      ends.has_more = ends.has_more || cluster_of(w) != ends.one;
+    });
+    return ends;
+  }
+
+  /// Whether arcs lead there and on, to another cluster than where they come from unless there are only two.
+  bool can_be_passed(int v) const {
+    const Ends before = ends(backward_, v);
+    const Ends after = ends(forward_, v);
+    if (before.one < 0 || after.one < 0) return false;
+    return before.has_more || after.has_more || before.one != after.one || clusters_to_visit() == 2;
+  }
+
+  int clusters_to_visit() const {
+    const auto fixed = std::count(anchor_.fixed_cluster.begin(), anchor_.fixed_cluster.end(), 1);
+    return instance_.cluster_count() - static_cast<int>(fixed) + (anchor_.is_used ? 1 : 0);
   }
 
   void drop_by_degree() {
@@ -81,7 +112,7 @@ class Pruner {
     while (!suspects.empty()) {
       const int v = suspects.back();
       suspects.pop_back();
-      if (!is_alive(v) || (has_living(forward_, v) && has_living(backward_, v))) continue;
+      if (!is_alive(v) || can_be_passed(v)) continue;
       result_.is_alive[static_cast<std::size_t>(v)] = 0;
       const auto suspect = [&](int w) {
         if (is_alive(w)) suspects.push_back(w);
@@ -142,6 +173,42 @@ class Pruner {
       dropped = true;
     }
     return dropped;
+  }
+
+  /// A tour without one of its clusters is a path: what is left must hang together.
+  void name_cutting_cluster() {
+    const double work = static_cast<double>(forward_.target.size()) * instance_.cluster_count();
+    if (work > kMostCutWork || clusters_to_visit() < 4) return;
+    for (int c = 0; c < instance_.cluster_count() && result_.cutting_cluster < 0; ++c) {
+      if (anchor_.fixed_cluster[static_cast<std::size_t>(c)] == 0 && falls_apart_without(c))
+        result_.cutting_cluster = c;
+    }
+  }
+
+  bool falls_apart_without(int cluster) const {
+    std::vector<int> parent(static_cast<std::size_t>(instance_.cluster_count()) + 1);
+    std::iota(parent.begin(), parent.end(), 0);
+    const auto root_of = [&](int c) {
+      while (parent[static_cast<std::size_t>(c)] != c) {
+        int& up = parent[static_cast<std::size_t>(c)];
+        up = parent[static_cast<std::size_t>(up)];
+        c = up;
+      }
+      return c;
+    };
+    int parts = clusters_to_visit() - 1;
+    for (int u = 0; u < node_count() && parts > 1; ++u) {
+      if (!is_alive(u) || cluster_of(u) == cluster) continue;
+      forward_.for_each(u, [&](int v) {
+        if (!is_alive(v) || cluster_of(v) == cluster) return;
+        const int from = root_of(cluster_of(u));
+        const int to = root_of(cluster_of(v));
+        if (from == to) return;
+        parent[static_cast<std::size_t>(from)] = to;
+        --parts;
+      });
+    }
+    return parts > 1;
   }
 
   const Instance& instance_;

@@ -41,6 +41,11 @@ bool Run::finish_unreachable() {
                       " has no vertex that arcs lead to and from within any tour.");
     return true;
   }
+  if (pruning.cutting_cluster >= 0) {
+    finish_infeasible("Without cluster " + std::to_string(pruning.cutting_cluster) +
+                      " the others do not hang together: a tour would have to come through it twice.");
+    return true;
+  }
   if (pruning.is_anchor_dead) {
     finish_infeasible("No arcs lead from or to the fixed part of the tour.");
     return true;

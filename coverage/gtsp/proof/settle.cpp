@@ -157,7 +157,7 @@ void settle(const Instance& instance, const Options& options, double work, Solut
   }
   const detail::Pruning pruning =
       instance.is_complete() ? detail::all_alive(instance, anchor) : detail::prune(instance, anchor);
-  if (pruning.emptied_cluster >= 0 || pruning.is_anchor_dead) return;
+  if (pruning.has_no_tour()) return;
   CertificateParams params;
   params.upper_bound = folded_cost(solution, anchor);
   params.work = work;

@@ -246,7 +246,7 @@ RC_GTEST_PROP(Gtsp, CertificatesHold, ()) {
   const auto free = std::count(anchor.fixed_cluster.begin(), anchor.fixed_cluster.end(), 0);
   RC_PRE(free + (anchor.is_used ? 1 : 0) >= 2 && free > 0 && anchor.inner_cost != kNoArc);
   const detail::Pruning pruning = detail::prune(instance, anchor);
-  RC_PRE(pruning.emptied_cluster < 0 && !pruning.is_anchor_dead);
+  RC_PRE(!pruning.has_no_tour());
   proof::CertificateParams params;
   params.work = work;
   if (optimum != kNoArc && excess >= 0.0) params.upper_bound = optimum + excess - anchor.inner_cost;

@@ -106,23 +106,59 @@ TEST(Sparse, NamesTheClusterThatMakesATourImpossible) {
   EXPECT_EQ(backwards.status, SolveStatus::kInfeasible);
 }
 
+TEST(Sparse, NamesTheClusterThatAllWaysLeadThrough) {
+  // Two rings of ten that share cluster 7: each vertex has its arcs, and all are in reach of each other.
+  std::vector<ArcInput> arcs;
+  const auto join_ring = [&](const std::vector<int>& ring) {
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      arcs.push_back({ring[i], ring[(i + 1) % ring.size()], 1.0});
+      arcs.push_back({ring[(i + 1) % ring.size()], ring[i], 1.0});
+      arcs.push_back({ring[i], ring[(i + 2) % ring.size()], 1.0});
+    }
+  };
+  Instance::Clusters clusters;
+  for (int v = 0; v < 31; ++v) clusters.push_back({v});
+  std::vector<int> one{7};
+  std::vector<int> other{7};
+  for (int v = 0; v < 31; ++v) {
+    if (v != 7) (v < 16 ? one : other).push_back(v);
+  }
+  join_ring(one);
+  join_ring(other);
+  const Solution solution = solve(Instance::from_arcs(31, clusters, arcs).value(), {.mode = Mode::kFast});
+  EXPECT_EQ(solution.status, SolveStatus::kInfeasible);
+  EXPECT_THAT(solution.reason, HasSubstr("Without cluster 7 "));
+}
+
+TEST(Sparse, DropsVerticesThatOneClusterAloneLeadsToAndFrom) {
+  // Cluster 2 can only be come to from cluster 0 and left to it.
+  const std::vector<ArcInput> arcs{{0, 1, 1}, {1, 0, 1}, {0, 2, 1}, {2, 0, 1}, {0, 3, 1},
+                                   {3, 1, 1}, {1, 3, 1}, {3, 0, 1}, {4, 2, 1}, {2, 4, 1}};
+  const Instance instance = Instance::from_arcs(5, {{0, 4}, {1}, {2}, {3}}, arcs).value();
+  const Solution solution = solve(instance, {.mode = Mode::kFast});
+  EXPECT_EQ(solution.status, SolveStatus::kInfeasible);
+  EXPECT_THAT(solution.reason, HasSubstr("Cluster 2 has no vertex"));
+}
+
 TEST(Sparse, NamesAClusterAmongThoseThatStarveForSuccessors) {
   std::vector<ArcInput> arcs;
-  for (int leaf = 1; leaf < 20; ++leaf) {
-    arcs.push_back({0, leaf, 1.0});
-    arcs.push_back({leaf, 0, 1.0});
+  for (int leaf = 2; leaf < 20; ++leaf) {
+    for (const int hub : {0, 1}) {
+      arcs.push_back({hub, leaf, 1.0});
+      arcs.push_back({leaf, hub, 1.0});
+    }
   }
   Instance::Clusters clusters;
   for (int v = 0; v < 20; ++v) clusters.push_back({v});
-  const Instance star = Instance::from_arcs(20, std::move(clusters), arcs).value();
-  const Solution solution = solve(star, {.mode = Mode::kFast});
+  const Instance hubs = Instance::from_arcs(20, std::move(clusters), arcs).value();
+  const Solution solution = solve(hubs, {.mode = Mode::kFast});
   EXPECT_EQ(solution.status, SolveStatus::kInfeasible);
   EXPECT_THAT(solution.reason, HasSubstr("cluster "));
 }
 
 TEST(Sparse, OwnsUpWhenItFindsNothing) {
-  // Petersen's graph doubled: each vertex has three neighbours, an assignment exists, but no Hamiltonian
-  // cycle does. Two copies joined by two arcs keep it beyond the exact method's reach.
+  // Three copies of Petersen's graph: each vertex has three neighbours and an assignment exists, but no
+  // Hamiltonian cycle does, nor a path between the neighbours 0 and 1, at which the copies are joined.
   std::vector<ArcInput> arcs;
   const auto join = [&](int a, int b) {
     arcs.push_back({a, b, 1.0});
@@ -136,6 +172,7 @@ TEST(Sparse, OwnsUpWhenItFindsNothing) {
       join(base + 5 + i, base + 5 + (i + 2) % 5);
     }
     join(base, (base + 10) % 30);
+    join(base + 1, (base + 11) % 30);
   }
   Instance::Clusters clusters;
   for (int v = 0; v < 30; ++v) clusters.push_back({v});
