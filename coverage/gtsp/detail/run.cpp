@@ -22,19 +22,22 @@ Effort effort_of(Mode mode) {
               .warm_trials = 1,
               .iterations_per_cluster = 300.0,
               .exact_work = 1e9,
-              .kicks_per_cluster = 300.0};
+              .kicks_per_cluster = 300.0,
+              .enough_hits = 2};
     case Mode::kDefault:
       return {.trials = 3,
               .warm_trials = 2,
               .iterations_per_cluster = 2000.0,
               .exact_work = 5e9,
-              .kicks_per_cluster = 1500.0};
+              .kicks_per_cluster = 1500.0,
+              .enough_hits = 4};
     case Mode::kSlow:
       return {.trials = 8,
               .warm_trials = 4,
               .iterations_per_cluster = 10000.0,
               .exact_work = 4e10,
-              .kicks_per_cluster = 12700.0};
+              .kicks_per_cluster = 12700.0,
+              .enough_hits = 12};
   }
   return {};
 }

@@ -21,6 +21,7 @@ struct Effort {
   double iterations_per_cluster = 0.0;  ///< of each trial
   double exact_work = 0.0;              ///< see ExactParams::work
   double kicks_per_cluster = 0.0;       ///< of the chains together; 0: trials do all the searching
+  int enough_hits = 0;                  ///< see search::ChainSetup
 };
 Effort effort_of(Mode mode);
 

@@ -9,8 +9,6 @@
 namespace swallowtail::gtsp::detail {
 namespace {
 
-/// Kicks of the first round, of each chain, per cluster.
-constexpr double kFirstKicks = 50.0;
 /// Beyond it the bound's tables would take longer than the search and more memory.
 constexpr int kMaxBoundVertices = 3'000;
 
@@ -25,7 +23,7 @@ bool Run::search_by_chains() {
   setup.threads = options_.threads;
   setup.stop = options_.stop;
   const double m = problem.cluster_count();
-  setup.first_kicks = static_cast<std::uint64_t>(kFirstKicks * m);
+  setup.enough_hits = effort_.enough_hits;
   setup.kicks = std::min({static_cast<std::uint64_t>(effort_.kicks_per_cluster * m),
                           options_.stop.max_iterations, options_.stop.max_evaluations});
   setup.stop.max_iterations = std::numeric_limits<std::uint64_t>::max();

@@ -100,17 +100,43 @@ class Annealer {
     climber.tour().forget_changes();
   }
 
-  /// Half of the kicks cut the tour at three places a few steps along it apart, the others at three that are
-  /// near in cost: the former reach far, the latter let parts of the tour that pass each other exchange
-  /// clusters.
+  /// Half of the kicks cut the tour at places a few steps along it apart, the others at three that are near
+  /// in cost: the former reach far, the latter let parts of the tour that pass each other exchange clusters.
   void kick(Climber<Costs>& climber) {
+    if (!problem_.is_symmetric()) {
+      kick_twice(climber);
+      return;
+    }
     if (rng_.below(2) == 0 && kick_near(climber)) return;
+    const int first = place(climber.tour());
+    const int middle = first + stretch(climber.tour(), 3);
+    const int last = middle + 1 + stretch(climber.tour(), 3);
     const int m = climber.tour().size();
-    const auto longest = static_cast<std::uint64_t>(std::min(kLongestStretch, (m - 2) / 3));
-    const int first = static_cast<int>(rng_.below(static_cast<std::uint64_t>(m)));
-    const int middle = first + static_cast<int>(rng_.below(longest));
-    const int last = middle + 1 + static_cast<int>(rng_.below(longest));
     climber.swap(first, middle % m, last % m);
+  }
+
+  int place(const ArrayTour& tour) {
+    return static_cast<int>(rng_.below(static_cast<std::uint64_t>(tour.size())));
+  }
+  int stretch(const ArrayTour& tour, int stretches) {
+    const int longest = std::min(kLongestStretch, (tour.size() - 2) / stretches);
+    return static_cast<int>(rng_.below(static_cast<std::uint64_t>(longest)));
+  }
+
+  /// Three stretches in reverse order, each in its sense: the double bridge [MARTIN-OTTO-FELTEN], which the
+  /// swaps of two stretches that the local search tries do not take back.
+  void kick_twice(Climber<Costs>& climber) {
+    const ArrayTour& tour = climber.tour();
+    const int m = tour.size();
+    const int first = place(tour);
+    const int second = first + 1 + stretch(tour, 4);
+    const int third = second + 1 + stretch(tour, 4);
+    const int last = third + stretch(tour, 4);
+    const int begin = tour.vertex(second % m);
+    const int middle = tour.vertex((third - 1) % m);
+    const int end = tour.vertex(last % m);
+    climber.swap(first, (second - 1) % m, last % m);
+    climber.swap(tour.position_of(begin), tour.position_of(middle), tour.position_of(end));
   }
 
   /// Three places by random walks over near clusters [APPLEGATE-COOK-ROHE]. False when they do not differ or

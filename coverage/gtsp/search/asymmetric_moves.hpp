@@ -109,24 +109,42 @@ class AsymmetricMoves {
     offer({delta + costs_(tour_->vertex(q), y) - costs_(before, y), Kind::kTurn, p, j, j, w});
   }
 
-  /// The cluster at p behind or before any of its vertex's near clusters, with the vertex that fits there.
+  /// The cluster at p, with any of its vertices, behind or before a cluster near to the one it has now or,
+  /// where clusters lie scattered, near to that vertex.
   void look_reinsert(int p) {
     const int v = tour_->vertex(p);
+    const int c = problem_.cluster_of(v);
     const int o = tour_->vertex(tour_->previous(p));
     const int s = tour_->vertex(tour_->next(p));
-    const Cost removed = costs_(o, s) - costs_(o, v) - costs_(v, s);
-    for (const Near& near : candidates_.out_of(v))
-      look_between(p, tour_->previous(tour_->position_of(near.vertex)), removed);
-    for (const Near& near : candidates_.into(v)) look_between(p, tour_->position_of(near.vertex), removed);
+    const Cost in = costs_(o, v);
+    const Cost out = costs_(v, s);
+    const Cost removed = costs_(o, s) - in - out;
+    const Cost broken = std::max(in, out);
+    if (!candidates_.is_scattered()) {
+      look_beside(p, v, broken, removed, problem_.first(c), problem_.last(c));
+      return;
+    }
+    for (int u = problem_.first(c); u < problem_.last(c); ++u) look_beside(p, u, broken, removed, u, u + 1);
   }
 
-  void look_between(int p, int j, Cost removed) {
+  /// The cluster at p, with each vertex first … last − 1, behind or before the clusters near to v.
+  void look_beside(int p, int v, Cost broken, Cost removed, int first, int last) {
+    for (const Near& near : candidates_.out_of(v)) {
+      if (near.cost >= broken) break;
+      look_between(p, tour_->previous(tour_->position_of(near.vertex)), removed, first, last);
+    }
+    for (const Near& near : candidates_.into(v)) {
+      if (near.cost >= broken) break;
+      look_between(p, tour_->position_of(near.vertex), removed, first, last);
+    }
+  }
+
+  void look_between(int p, int j, Cost removed, int first, int last) {
     if (j == p || j == tour_->previous(p)) return;
-    const int c = problem_.cluster_of(tour_->vertex(p));
     const int r = tour_->vertex(j);
     const int y = tour_->vertex(tour_->next(j));
     const Cost base = removed - costs_(r, y);
-    for (int u = problem_.first(c); u < problem_.last(c); ++u)
+    for (int u = first; u < last; ++u)
       offer({base + costs_(r, u) + costs_(u, y), Kind::kReinsert, p, j, j, u});
   }
 

@@ -21,16 +21,20 @@ constexpr double kWarmHot = 0.02;
 constexpr int kMostRestarted = 400;
 /// Tours kept to be recombined with.
 constexpr std::size_t kPool = 8;
-/// The longest round's kicks, of the first's.
-constexpr std::uint64_t kLongestRound = 8;
-/// Fewer clusters than these are annealed in a moment, and it is better to begin anew than to go on.
+/// Kicks of each chain in the first round and in the longest, per cluster.
+constexpr std::uint64_t kFirstKicks = 6;
+constexpr std::uint64_t kMostKicks = 400;
+/// Fewer clusters than these are annealed in a moment, and it is better to begin anew than to go on: all
+/// rounds are this long then.
 constexpr int kFewClusters = 60;
+constexpr std::uint64_t kShortKicks = 50;
 
 struct Chain {
   std::vector<int> tour;
   Cost cost = std::numeric_limits<Cost>::max();
   std::uint64_t kicks = 0;
   std::uint64_t share = 0;  ///< of this round's kicks
+  bool is_new = false;      ///< this round it began from nothing
   double end_s = 0.0;       ///< of its share of the time, with a deadline
 };
 
@@ -44,13 +48,16 @@ class Rounds {
 
   std::uint64_t run() {
     std::uint64_t left = setup_.kicks;
-    std::uint64_t most = std::max<std::uint64_t>(1, setup_.first_kicks);
+    const auto m = static_cast<std::uint64_t>(problem_.cluster_count());
+    const bool is_small = problem_.cluster_count() < kFewClusters;
+    std::uint64_t most = (is_small ? kShortKicks : kFirstKicks) * m;
     for (int round = 0; round == 0 || (left > 0 && !setup_.stop.reached(0, 0)); ++round) {
       prepare(round, left, most);
       run_round(round);
+      count_hits();
       recombine();
-      if (problem_.cluster_count() >= kFewClusters)
-        most = std::min(2 * most, kLongestRound * std::max<std::uint64_t>(1, setup_.first_kicks));
+      if (hits_ >= setup_.enough_hits) break;
+      if (!is_small && hits_ == 0) most = std::min(2 * most, kMostKicks * m);
       for (const Chain& chain : chains_) left -= chain.share;
     }
     std::uint64_t kicks = 0;
@@ -61,39 +68,63 @@ class Rounds {
  private:
   static std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
+  /// The first chain goes on from the best tour as long as that gets better, the other from its own; where
+  /// tours are short both begin anew instead.
   void prepare(int round, std::uint64_t left, std::uint64_t most) {
-    const bool is_restarted = setup_.start.empty() && problem_.cluster_count() <= kMostRestarted;
+    const bool is_cold = setup_.start.empty();
+    const bool is_restarted = is_cold && problem_.cluster_count() <= kMostRestarted;
     // Where costs differ each way, the best tour's sense is the one thing that local moves cannot change.
-    const bool is_turned = round % 2 == 1 && setup_.start.empty() && !problem_.is_symmetric();
+    const bool is_turned = round % 2 == 1 && is_cold && !problem_.is_symmetric();
     for (int i = 0; i < kChains; ++i) {
       Chain& chain = chains_[at(i)];
       chain.share = std::min(most, i == 0 ? left - left / 2 : left / 2);
-      if (round == 0 && !setup_.start.empty()) chain.tour = setup_.start;
-      if (chain.tour.empty() || (i > 0 && is_restarted)) chain.tour = new_tour(chain_rng(round, i).split(1));
-      if (i > 0 && is_turned) chain.tour.assign(chains_[0].tour.rbegin(), chains_[0].tour.rend());
+      if (round == 0) {
+        chain.is_new = is_cold;
+      } else {
+        chain.is_new = is_restarted && (i > 0 ? !is_turned : !is_better_);
+        if (i == 0) chain.tour = best_;
+        if (i > 0 && is_turned) chain.tour.assign(best_.rbegin(), best_.rend());
+      }
+      if (chain.is_new) {
+        chain.tour = new_tour(chain_rng(round, i).split(1));
+      } else if (round == 0) {
+        chain.tour = setup_.start;
+      }
     }
   }
 
-  /// Makes the first chain's tour the best that can be put together from all.
-  void recombine() {
-    if (chains_[1].cost < chains_[0].cost) {
-      std::swap(chains_[0].tour, chains_[1].tour);
-      std::swap(chains_[0].cost, chains_[1].cost);
+  /// Of the chains that began from nothing, those that ended at the best cost of all. That several did is the
+  /// best sign there is that none is better.
+  void count_hits() {
+    const Cost least = std::min(chains_[0].cost, chains_[1].cost);
+    is_better_ = least < best_cost_;
+    if (is_better_) hits_ = 0;
+    best_cost_ = std::min(best_cost_, least);
+    for (const Chain& chain : chains_) {
+      if (chain.is_new && chain.share > 0 && chain.cost == best_cost_) ++hits_;
     }
+    if (is_better_) best_ = chains_[chains_[1].cost < chains_[0].cost ? 1 : 0].tour;
+  }
+
+  /// Makes the best tour the best that can be put together from all.
+  void recombine() {
     if (setup_.stop.reached(0, 0)) return;
-    Chain& best = chains_[0];
-    if (pool_.size() >= kPool) pool_.erase(pool_.begin());
-    pool_.push_back(chains_[1].tour);
+    for (const Chain& chain : chains_) {
+      if (pool_.size() >= kPool) pool_.erase(pool_.begin());
+      pool_.push_back(chain.tour);
+    }
     problem_.with_costs([&](const auto& costs) {
       Recombiner recombiner(problem_, costs);
       for (Cost gain = -1; gain < 0;) {
         gain = 0;
-        for (const std::vector<int>& other : pool_) gain += recombiner.improve(best.tour, other);
-        best.cost += gain;
+        for (const std::vector<int>& other : pool_) gain += recombiner.improve(best_, other);
+        if (gain == 0) break;
+        best_cost_ += gain;
+        hits_ = 0;
+        is_better_ = true;
       }
     });
-    report_(0, best.tour, 0);
-    pool_.push_back(best.tour);
+    report_(0, best_, 0);
   }
 
   Rng chain_rng(int round, int chain) const {
@@ -171,6 +202,10 @@ class Rounds {
   std::vector<Candidates> candidates_;
   std::array<Chain, kChains> chains_;
   std::vector<std::vector<int>> pool_;
+  std::vector<int> best_;
+  Cost best_cost_ = std::numeric_limits<Cost>::max();
+  bool is_better_ = false;  ///< than before the last round
+  int hits_ = 0;            ///< chains that reached the best cost from nothing
 };
 
 }  // namespace

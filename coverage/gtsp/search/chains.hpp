@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <vector>
 
 #include "coverage/gtsp/search/problem.hpp"
@@ -16,8 +17,9 @@ inline constexpr int kChains = 2;
 struct ChainSetup {
   std::uint64_t seed = 1;
   int threads = 1;
-  std::uint64_t kicks = 0;        ///< of all chains and rounds together
-  std::uint64_t first_kicks = 0;  ///< of each chain in the first round; twice as many in each further one
+  std::uint64_t kicks = 0;  ///< of all chains and rounds together
+  /// The search ends when so many chains, each begun from nothing, have ended at the best cost.
+  int enough_hits = std::numeric_limits<int>::max();
   StopCondition stop = {};
   std::vector<int> start = {};  ///< a tour of all clusters to begin from; empty: from nothing
 };
@@ -26,9 +28,10 @@ struct ChainSetup {
 using ChainReport = std::function<void(int, const std::vector<int>&, std::uint64_t)>;
 
 /// Minimises tours of the problem, which has at least kLeastClusters clusters. Rounds of annealing, each
-/// twice as long as the one before, so that an easy instance is solved at once and a hard one gets most of
-/// the work in one long run [LUBY-SINCLAIR-ZUCKERMAN]: the first chain goes on from the best tour, the other
-/// from its own or, where tours are short, from a new one. Returns the kicks.
+/// twice as long as the one before until a chain meets the best cost from nothing, so that an easy instance
+/// is solved at once and a hard one gets most of the work in a few long runs [LUBY-SINCLAIR-ZUCKERMAN]. The
+/// first chain goes on from the best tour, the other from its own; where tours are short the other begins
+/// anew each round, and so does the first once it no longer gets better. Returns the kicks.
 std::uint64_t run_chains(const Problem& problem, const ChainSetup& setup, const ChainReport& report);
 
 inline constexpr int kLeastClusters = 8;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <utility>
 
 #include "coverage/gtsp/search/array_tour.hpp"
@@ -104,25 +105,37 @@ class SymmetricMoves {
     }
   }
 
-  /// The cluster at p beside any of its vertex's near clusters, with the vertex that fits there.
+  /// The cluster at p, with any of its vertices, beside a cluster near to the one it has now or, where
+  /// clusters lie scattered, near to that vertex.
   void look_reinsert(int p) {
     const int v = tour_->vertex(p);
     const int c = problem_.cluster_of(v);
-    const int o = tour_->vertex(tour_->previous(p));
-    const int s = tour_->vertex(tour_->next(p));
-    const Cost removed = costs_(o, s) - costs_(o, v) - costs_(v, s);
+    const Cost in = costs_(tour_->vertex(tour_->previous(p)), v);
+    const Cost out = costs_(v, tour_->vertex(tour_->next(p)));
+    const Cost between = costs_(tour_->vertex(tour_->previous(p)), tour_->vertex(tour_->next(p)));
+    const Cost broken = std::max(in, out);
+    if (!candidates_.is_scattered()) {
+      look_beside(p, v, broken, between - in - out, problem_.first(c), problem_.last(c));
+      return;
+    }
+    for (int u = problem_.first(c); u < problem_.last(c); ++u)
+      look_beside(p, u, broken, between - in - out, u, u + 1);
+  }
+
+  /// The cluster at p, with each vertex first … last − 1, beside the clusters near to v.
+  void look_beside(int p, int v, Cost broken, Cost removed, int first, int last) {
+    const int before = tour_->previous(p);
+    const int after = tour_->next(p);
     for (const Near& near : candidates_.out_of(v)) {
+      if (near.cost >= broken) break;
       const int j = tour_->position_of(near.vertex);
+      const int r = tour_->vertex(j);
       for (const int k : {tour_->next(j), tour_->previous(j)}) {
-        if (k == p) continue;
-        const int r = tour_->vertex(j);
+        if (k == p || (j == before && k == after) || (j == after && k == before)) continue;
         const int y = tour_->vertex(k);
-        if ((j == tour_->previous(p) && k == tour_->next(p)) ||
-            (k == tour_->previous(p) && j == tour_->next(p)))
-          continue;
-        const Cost ry = costs_(r, y);
-        for (int u = problem_.first(c); u < problem_.last(c); ++u)
-          offer({removed + costs_(r, u) + costs_(u, y) - ry, Kind::kReinsert, 1, p, 1, j, k, u});
+        const Cost base = removed - costs_(r, y);
+        for (int u = first; u < last; ++u)
+          offer({base + costs_(r, u) + costs_(u, y), Kind::kReinsert, 1, p, 1, j, k, u});
       }
     }
   }

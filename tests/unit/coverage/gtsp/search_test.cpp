@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "coverage/gtsp/check_tour.hpp"
@@ -121,6 +123,57 @@ TEST_P(Search, GivesTheSameAtAnyThreadCount) {
   EXPECT_EQ(one.tour, two.tour);
   EXPECT_EQ(one.iterations, two.iterations);
   EXPECT_EQ(one.cost, two.cost);
+}
+
+TEST_P(Search, EndsOnceSeveralChainsAgree) {
+  const Instance instance = random_instance(12, 2, GetParam(), 6);
+  const Problem problem = problem_of(instance);
+  ChainSetup setup;
+  setup.kicks = 1'000'000;
+  setup.enough_hits = 5;
+  std::vector<double> costs;
+  const std::uint64_t kicks =
+      run_chains(problem, setup, [&](int /*chain*/, const std::vector<int>& tour, std::uint64_t /*kicks*/) {
+        costs.push_back(cost_of(instance, problem, tour));
+      });
+  EXPECT_LT(kicks, 20'000U);
+  Options options;
+  options.mode = Mode::kSlow;
+  const Solution proved = solve(instance, options);
+  ASSERT_TRUE(proved.proved_optimal);
+  EXPECT_EQ(*std::min_element(costs.begin(), costs.end()), proved.cost);
+}
+
+/// Stretches that a kick lets change places must not go back in one move of the local search: the search then
+/// stays where it began, as it once did.
+TEST(Chains, FindMuchTheSameFromEverySeedWhereCostsDifferEachWay) {
+  Rng rng(9);
+  constexpr int kClusters = 30;
+  constexpr int kVertices = 3 * kClusters;
+  std::vector<Point> from;
+  std::vector<Point> to;
+  Instance::Clusters members(kClusters);
+  for (int v = 0; v < kVertices; ++v) {
+    if (v % 3 == 0) from.push_back({rng.uniform() * 1e4, rng.uniform() * 1e4});
+    if (v % 3 != 0) from.push_back({from[v - v % 3].x + rng.uniform() * 500, from[v - v % 3].y});
+    to.push_back({from[v].x + rng.uniform() * 2000 - 1000, from[v].y + rng.uniform() * 2000 - 1000});
+    members[v / 3].push_back(v);
+  }
+  std::vector<double> costs;
+  for (const Point& end : to) {
+    for (const Point& begin : from) costs.push_back(std::floor(std::hypot(begin.x - end.x, begin.y - end.y)));
+  }
+  const Instance instance = Instance::from_matrix(kVertices, members, costs).value();
+  Options options;
+  options.bound_effort = 0.0;
+  double least = kNoArc;
+  double most = 0.0;
+  for (options.seed = 1; options.seed <= 4; ++options.seed) {
+    const double cost = solve(instance, options).cost;
+    least = std::min(least, cost);
+    most = std::max(most, cost);
+  }
+  EXPECT_LE(most, 1.01 * least);
 }
 
 INSTANTIATE_TEST_SUITE_P(Both, Search, testing::Values(Symmetry::kBothWaysAlike, Symmetry::kNone));
