@@ -1,0 +1,114 @@
+#include "coverage/maintain/plan_keeper.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace swallowtail::coverage {
+namespace {
+
+/// A field of 240 × 120 m with a hole of 80 × 60 m in its middle, and a battery for a part of it.
+Task holed_task() {
+  Task task;
+  const Polygon field{{{0, 0}, {240, 0}, {240, 120}, {0, 120}}, {{{80, 30}, {80, 90}, {160, 90}, {160, 30}}}};
+  task.fields.push_back({1, "holed", field, 20.0});
+  task.sweep_rad = 0.0;
+  task.battery.capacity = 220.0;
+  task.start_m = Vec3(0.0, -5.0, 0.0);
+  task.charger.start_m = Vec3(0.0, -5.0, 0.0);
+  return task;
+}
+
+/// Metres of a flight that lie deeper than 10 cm within the hole.
+double within_hole_m(const Vec3& from, const Vec3& to) {
+  const double length = (to - from).norm();
+  double out = 0.0;
+  for (double s = 0.1; s < length; s += 0.1) {
+    const Vec3 p = from + (to - from) * (s / length);
+    if (p.x() > 80.1 && p.x() < 159.9 && p.y() > 30.1 && p.y() < 89.9) out += 0.1;
+  }
+  return out;
+}
+
+double flown_within_hole_m(const LivePlan& plan, std::size_t first) {
+  double out = 0.0;
+  for (std::size_t i = first; i < plan.legs.size(); ++i) {
+    const Leg& leg = plan.legs[i];
+    out += within_hole_m(leg.entry_m, leg.exit_m);
+    if (i + 1 == plan.legs.size() || leg.transfer == Transfer::kFDTU) continue;
+    Vec3 at = leg.exit_m;
+    for (const Vec3& bend : leg.transfer_m) {
+      out += within_hole_m(at, bend);
+      at = bend;
+    }
+    out += within_hole_m(at, plan.legs[i + 1].entry_m);
+  }
+  return out;
+}
+
+/// On a leg, this share of it flown.
+AircraftView on_leg(const LivePlan& plan, std::size_t leg, double share) {
+  AircraftView view;
+  const Leg& at = plan.legs[leg];
+  view.time_s = at.start_s + share * (at.end_s - at.start_s);
+  view.position_m = at.entry_m + share * (at.exit_m - at.entry_m);
+  view.velocity_mps = 8.0 * (at.exit_m - at.entry_m).normalized();
+  view.mode = AircraftMode::kFlying;
+  view.leg_index = leg;
+  view.legs_done = leg;
+  return view;
+}
+
+class Keeper : public testing::Test {
+ protected:
+  /// Takes off and flies to the middle of a leg, then the battery turns out to hold this much.
+  static bool break_battery(PlanKeeper& keeper, std::size_t leg, double energy) {
+    AircraftView start;
+    start.position_m = Vec3(0.0, -5.0, 0.0);
+    keeper.on_vehicle(start);
+    keeper.on_battery({0.0, keeper.task().battery.capacity});
+    for (std::size_t i = 0; i <= leg; ++i) {
+      for (int step = 0; step <= (i < leg ? 100 : 50); ++step)
+        keeper.on_vehicle(on_leg(keeper.plan(), i, 0.01 * step));
+    }
+    return keeper.on_battery({on_leg(keeper.plan(), leg, 0.5).time_s, energy});
+  }
+};
+
+TEST_F(Keeper, WhatIsScheduledAnewFliesRoundHoles) {
+  auto made = PlanKeeper::make(holed_task(), planner::Terrain::flat(0.0), {});
+  ASSERT_TRUE(made.ok()) << made.error().message;
+  ASSERT_LT(flown_within_hole_m(made->plan(), 0), 0.2);
+  PlanKeeper resumed(holed_task(), planner::Terrain::flat(0.0), {}, made->plan());
+  for (PlanKeeper* keeper : {&*made, &resumed}) {
+    const double needs = keeper->plan().legs[1].energy_before - keeper->plan().legs[2].energy_after;
+    ASSERT_TRUE(break_battery(*keeper, 1, keeper->task().battery.reserve + needs + 25.0))
+        << keeper->plan().reason;
+    EXPECT_LT(flown_within_hole_m(keeper->plan(), 1), 0.2) << keeper->plan().reason;
+  }
+}
+
+TEST_F(Keeper, ABatteryThatHoldsLessChangesWhatIsAheadOnly) {
+  auto made = PlanKeeper::make(holed_task(), planner::Terrain::flat(0.0), {});
+  ASSERT_TRUE(made.ok());
+  const LivePlan before = made->plan();
+  ASSERT_TRUE(break_battery(*made, 2, made->task().battery.reserve + 45.0));
+  const LivePlan& after = made->plan();
+  EXPECT_GT(after.revision, before.revision);
+  EXPECT_FALSE(after.reason.empty());
+  ASSERT_GE(after.legs.size(), before.legs.size());
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(after.legs[i].sub_cell_id, before.legs[i].sub_cell_id);
+    EXPECT_EQ(after.legs[i].exit_m, before.legs[i].exit_m);
+  }
+  double flown_m = 0.0;
+  double planned_m = 0.0;
+  for (const Leg& leg : before.legs) planned_m += (leg.exit_m - leg.entry_m).norm();
+  for (const Leg& leg : after.legs) flown_m += (leg.exit_m - leg.entry_m).norm();
+  EXPECT_NEAR(flown_m, planned_m, 1e-6) << "all of it is still in the plan";
+  for (const Rendezvous& meeting : after.rendezvous)
+    EXPECT_GE(meeting.energy_from, made->task().battery.reserve - 1e-6);
+}
+
+}  // namespace
+}  // namespace swallowtail::coverage
