@@ -54,7 +54,8 @@ Result<ScenarioFields> fields_of(const planner::Scenario& scenario) {
   // Fields that are moved elsewhere are read around their own middle: their place on Earth no longer matters.
   FieldFileOptions options{.origin = spec.place_at_m ? std::nullopt : scenario.origin,
                            .default_height_m = spec.heights.default_m,
-                           .class_heights_m = spec.heights.classes};
+                           .class_heights_m = spec.heights.classes,
+                           .no_fly_file = spec.no_fly_file};
   auto file = read_fields(spec.fields_file, options);
   if (!file) return file.error();
   auto fields = chosen(std::move(file->fields), spec.field_ids);
@@ -63,6 +64,17 @@ Result<ScenarioFields> fields_of(const planner::Scenario& scenario) {
   if (spec.place_at_m) move_centre_to(*fields, no_fly, *spec.place_at_m);
   return ScenarioFields{std::move(*fields), scenario.origin ? scenario.origin : file->origin,
                         std::move(no_fly)};
+}
+
+FieldRules rules_of(const planner::CoverageSpec& spec) {
+  FieldRules out;
+  out.overlap = spec.overlap;
+  if (spec.headland == planner::HeadlandUse::kSkip) out.headland = Headland::kSkip;
+  if (spec.headland == planner::HeadlandUse::kFly) out.headland = Headland::kFly;
+  out.headland_m = spec.headland_m;
+  if (spec.lines_beyond_borders) out.beyond = Beyond::kSlantedBorders;
+  if (spec.ceiling_m) out.ceiling_m = *spec.ceiling_m;
+  return out;
 }
 
 }  // namespace swallowtail::coverage

@@ -114,6 +114,9 @@ struct ChargerSpec {
   std::variant<std::monostate, RoadSpec, RoughGroundSpec> ground{};  ///< monostate: anywhere, straight
 };
 
+/// What becomes of a band along a field's border.
+enum class HeadlandUse { kNone, kSkip, kFly };
+
 struct CoverageSpec {
   std::string fields_file;             ///< GeoJSON; coverage/field reads it
   std::vector<std::string> field_ids;  ///< which of its features; empty: all
@@ -123,6 +126,13 @@ struct CoverageSpec {
   double height_tolerance_m = 2.0;  ///< a sub-cell is cut where the required altitude leaves this band
   double height_band_m = 0.0;       ///< layers' epsilon [COV 4.1]
   int neighbours = 5;               ///< X [COV 4.1]
+  std::string no_fly_file;          ///< polygons neither covered nor crossed; empty: none
+  double overlap = 0.0;             ///< share of the sensor's width that neighbouring strips see both
+  std::optional<double> sweep_rad;  ///< flying direction, counter-clockwise from east; none: the cheapest
+  HeadlandUse headland = HeadlandUse::kNone;
+  double headland_m = 0.0;            ///< its width
+  bool lines_beyond_borders = false;  ///< lines may leave the field over slanted borders
+  std::optional<double> ceiling_m;    ///< greatest lawful height above ground
   BatterySpec battery;
   ChargerSpec charger;
 };

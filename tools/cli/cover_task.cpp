@@ -110,6 +110,8 @@ Result<CoverJob> job_of(const planner::Scenario& scenario, std::uint64_t seed) {
   task.fields = std::move(fields->fields);
   task.no_fly = std::move(fields->no_fly);
   task.sensor_width_m = spec.sensor_width_m;
+  task.rules = coverage::rules_of(spec);
+  task.sweep_rad = spec.sweep_rad;
   task.height_tolerance_m = spec.height_tolerance_m;
   task.height_band_m = spec.height_band_m;
   task.neighbours = spec.neighbours;

@@ -114,15 +114,28 @@ void add_part(const coverage::Field& field, coverage::Polygon part, Mission& mis
   mission.fields.push_back({field.id, field.name, std::move(part), field.height_m});
 }
 
-Status add_fields(const coverage::ScenarioFields& wanted, const planner::ChargerSpec& charger,
+/// What a scenario may ask of a plan but a mission does not hear of.
+Status check_wire(const planner::CoverageSpec& spec) {
+  const bool is_plain = spec.overlap == 0.0 && !spec.sweep_rad &&
+                        spec.headland == planner::HeadlandUse::kNone && !spec.lines_beyond_borders &&
+                        !spec.ceiling_m;
+  if (is_plain) return {};
+  return bad_input(
+      "The scenario's coverage has overlap, sweep_deg, headland, lines_beyond_borders or ceiling_m, which "
+      "the "
+      "wire does not carry: a mission would be flown without. Plan with `swallowtail cover`.");
+}
+
+Status add_fields(const coverage::ScenarioFields& wanted, const planner::CoverageSpec& spec,
                   Mission& mission) {
+  if (const Status status = check_wire(spec); !status) return status;
   if (!wanted.no_fly.empty()) {
     return bad_input(
         "The scenario's field file has " + std::to_string(wanted.no_fly.size()) +
         " no-fly areas, and the wire does not carry them: a mission would fly over them. Plan with "
         "`swallowtail cover`, or make them obstacles.");
   }
-  if (!std::holds_alternative<std::monostate>(charger.ground)) {
+  if (!std::holds_alternative<std::monostate>(spec.charger.ground)) {
     return bad_input(
         "The scenario's ground robot keeps to roads or ground that the wire does not carry: in a mission it "
         "would drive straight. Plan with `swallowtail cover`.");
@@ -244,8 +257,7 @@ Result<Mission> make_mission(const planner::Scenario& scenario, const planner::T
     if (wanted->origin) mission.origin = to_data(*wanted->origin);
     mission.task.emplace();
     fill_task(scenario, terrain, *mission.task);
-    if (Status filled = add_fields(*wanted, scenario.coverage->charger, mission); !filled)
-      return filled.error();
+    if (Status filled = add_fields(*wanted, *scenario.coverage, mission); !filled) return filled.error();
     mission.task->origin = mission.origin;
     mission.task->start = to_data(mission.start_m);
     mission.task->seed = seed;

@@ -78,6 +78,26 @@ void read_heights(Section& coverage, HeightSpec& out) {
   heights->finish();
 }
 
+void read_rules(Section& coverage, const std::string& folder, CoverageSpec& out) {
+  if (coverage.has("no_fly")) resolve_file(coverage, "no_fly", folder, out.no_fly_file);
+  coverage.number("overlap", Need::kOptional, from_to(0, 0.9), out.overlap);
+  double sweep_rad = 0.0;
+  if (coverage.has("sweep_deg") &&
+      coverage.angle_deg("sweep_deg", Need::kOptional, from_to(-360, 360), sweep_rad))
+    out.sweep_rad = sweep_rad;
+  if (auto headland = coverage.section("headland", Need::kOptional); headland && headland->is_map()) {
+    std::string use;
+    if (headland->choice("use", Need::kRequired, {"skip", "fly"}, use))
+      out.headland = use == "skip" ? HeadlandUse::kSkip : HeadlandUse::kFly;
+    headland->number("width_m", Need::kRequired, above_to(0, 1e4), out.headland_m);
+    headland->finish();
+  }
+  std::string beyond;
+  if (coverage.choice("lines_beyond_borders", Need::kOptional, {"never", "slanted"}, beyond))
+    out.lines_beyond_borders = beyond == "slanted";
+  coverage.number("ceiling_m", Need::kOptional, above_to(0, 1e4), out.ceiling_m);
+}
+
 void read_battery(Section& coverage, BatterySpec& out) {
   auto battery = coverage.section("battery", Need::kRequired);
   if (!battery || !battery->is_map()) return;
@@ -211,6 +231,7 @@ void read_coverage(Section& top, const std::string& folder, Scenario& scenario) 
   section->number("height_tolerance_m", Need::kOptional, above_to(0, 1e4), coverage.height_tolerance_m);
   section->number("height_band_m", Need::kOptional, from_to(0, 1e4), coverage.height_band_m);
   section->integer("neighbours", Need::kOptional, from_to(1, 1000), coverage.neighbours);
+  read_rules(*section, folder, coverage);
   read_battery(*section, coverage.battery);
   read_charger(*section, folder, scenario.bounds, coverage.charger);
   section->finish();
