@@ -102,6 +102,12 @@ Json unplanned_json(const Covered& one, std::size_t at) {
   return field_json(report, *one.task);
 }
 
+Json places_json(const std::vector<Vec3>& places) {
+  Json out = Json::array();
+  for (const Vec3& place : places) out.push_back(to_json(place));
+  return out;
+}
+
 /// Of the task's local frame; null: metres of no place on Earth.
 Json origin_json(const coverage::Task& task) {
   if (!task.origin) return nullptr;
@@ -111,8 +117,6 @@ Json origin_json(const coverage::Task& task) {
 }
 
 Json leg_json(const coverage::Leg& leg, std::size_t task) {
-  Json bends = Json::array();
-  for (const Vec3& corner : leg.transfer_m) bends.push_back(to_json(corner));
   return {{"task", task},
           {"field", leg.field_id},
           {"sub_cell", leg.sub_cell_id},
@@ -122,7 +126,7 @@ Json leg_json(const coverage::Leg& leg, std::size_t task) {
           {"height_m", leg.height_m},
           {"width_m", leg.width_m},
           {"transfer", coverage::name_of(leg.transfer)},
-          {"transfer_m", std::move(bends)},
+          {"transfer_m", places_json(leg.transfer_m)},
           {"energy_before", leg.energy_before},
           {"energy_after", leg.energy_after},
           {"start_s", leg.start_s},
@@ -152,6 +156,7 @@ Json document(const CoverJob& job, const std::vector<Covered>& done, CoverStatus
   out["reason"] = "";
   out["tasks"] = done.size();
   out["origins"] = Json::array();
+  out["approaches_m"] = Json::array();
   out["fields"] = Json::array();
   out["notes"] = Json::array();
   Json legs = Json::array();
@@ -173,6 +178,7 @@ Json document(const CoverJob& job, const std::vector<Covered>& done, CoverStatus
     for (const std::string& note : one.plan->notes) out["notes"].push_back(note);
     for (const auto& leg : one.plan->legs) legs.push_back(leg_json(leg, task));
     for (const auto& meeting : one.plan->rendezvous) meetings.push_back(rendezvous_json(meeting, task));
+    out["approaches_m"].push_back(places_json(approach_of(one)));
   }
   const bool has_plan = totals.legs > 0;
   out["covered_percent"] = totals.area_m2 > 0.0 ? 100.0 * totals.covered_m2 / totals.area_m2 : 0.0;
@@ -256,14 +262,13 @@ std::string plan_geojson(const std::vector<Covered>& done) {
       writer.add_line({leg.entry_m, leg.exit_m}, std::move(properties));
     }
     const auto& legs = done[task].plan->legs;
+    if (!legs.empty()) writer.add_line(approach_of(done[task]), {{"task", task}, {"kind", "approach"}});
     for (std::size_t i = 0; i + 1 < legs.size(); ++i) {
-      std::vector<Vec3> way{legs[i].exit_m};
-      way.insert(way.end(), legs[i].transfer_m.begin(), legs[i].transfer_m.end());
-      way.push_back(legs[i + 1].entry_m);
-      writer.add_line(way, {{"task", task},
-                            {"kind", "transfer"},
-                            {"after_leg", i},
-                            {"transfer", coverage::name_of(legs[i].transfer)}});
+      writer.add_line(transfer_after(*done[task].plan, i),
+                      {{"task", task},
+                       {"kind", "transfer"},
+                       {"after_leg", i},
+                       {"transfer", coverage::name_of(legs[i].transfer)}});
     }
     for (const auto& meeting : done[task].plan->rendezvous) {
       Json properties = rendezvous_json(meeting, task);
@@ -278,6 +283,21 @@ std::string plan_geojson(const std::vector<Covered>& done) {
 }
 
 }  // namespace
+
+std::vector<Vec3> approach_of(const Covered& one) {
+  if (one.plan->legs.empty()) return {};
+  std::vector<Vec3> out{one.task->start_m};
+  out.insert(out.end(), one.plan->approach_m.begin(), one.plan->approach_m.end());
+  out.push_back(one.plan->legs.front().entry_m);
+  return out;
+}
+
+std::vector<Vec3> transfer_after(const coverage::Plan& plan, std::size_t leg) {
+  std::vector<Vec3> out{plan.legs[leg].exit_m};
+  out.insert(out.end(), plan.legs[leg].transfer_m.begin(), plan.legs[leg].transfer_m.end());
+  out.push_back(plan.legs[leg + 1].entry_m);
+  return out;
+}
 
 const char* name(CoverStatus status) {
   switch (status) {

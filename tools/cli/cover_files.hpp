@@ -8,6 +8,11 @@
 
 namespace swallowtail::cli {
 
+/// The flight from the start on the ground to the first leg, ends included; nothing without legs.
+std::vector<Vec3> approach_of(const Covered& one);
+/// The transfer after a leg, ends included.
+std::vector<Vec3> transfer_after(const coverage::Plan& plan, std::size_t leg);
+
 /// Placemarks of fields, no-fly areas, legs with their transfers, and rendezvous; heights absolute. Tasks
 /// without an origin (local metres) are left out: KML knows degrees only.
 std::string cover_kml(const std::vector<Covered>& done);

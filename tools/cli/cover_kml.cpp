@@ -77,6 +77,8 @@ std::string folder(const Covered& one, std::size_t number) {
   for (const coverage::Polygon& area : one.task->no_fly)
     kml.add("no-fly area", "nofly", "neither covered nor crossed", kml.polygon(area));
   const coverage::Plan& plan = *one.plan;
+  if (!plan.legs.empty())
+    kml.add("approach", "transfer", "from the start to the first leg", kml.line(approach_of(one)));
   for (std::size_t i = 0; i < plan.legs.size(); ++i) {
     const coverage::Leg& leg = plan.legs[i];
     kml.add(fmt::format("leg {}", i), "leg",
@@ -85,11 +87,8 @@ std::string folder(const Covered& one, std::size_t number) {
                         coverage::name_of(leg.transfer)),
             kml.line({leg.entry_m, leg.exit_m}));
     if (i + 1 == plan.legs.size()) continue;
-    std::vector<Vec3> way{leg.exit_m};
-    way.insert(way.end(), leg.transfer_m.begin(), leg.transfer_m.end());
-    way.push_back(plan.legs[i + 1].entry_m);
     kml.add(fmt::format("transfer {}", i), leg.transfer == coverage::Transfer::kFDTU ? "carried" : "transfer",
-            coverage::name_of(leg.transfer), kml.line(way));
+            coverage::name_of(leg.transfer), kml.line(transfer_after(plan, i)));
   }
   for (const coverage::Rendezvous& meeting : plan.rendezvous) {
     kml.add(fmt::format("rendezvous {}", meeting.id), "rendezvous",

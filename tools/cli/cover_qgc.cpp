@@ -66,6 +66,7 @@ void add_meeting(const coverage::Rendezvous& meeting, double altitude_m, Mission
 Json items_of(const coverage::Plan& plan, const Vec3& home, const planner::GeoOrigin& origin) {
   MissionWriter mission(origin, home.z());
   mission.at(kTakeOff, above(home, plan.legs.front().entry_m.z()));
+  for (const Vec3& corner : plan.approach_m) mission.at(kWaypoint, corner);
   auto meeting = plan.rendezvous.begin();
   for (std::size_t i = 0; i < plan.legs.size(); ++i) {
     const coverage::Leg& leg = plan.legs[i];

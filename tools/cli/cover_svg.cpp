@@ -149,13 +149,10 @@ void Panel::add_legs() {
     const coverage::Leg& leg = plan_.legs[i];
     if (i + 1 < plan_.legs.size()) {
       const TransferStyle& style = style_of(leg.transfer);
-      std::vector<Vec3> way{leg.exit_m};
-      way.insert(way.end(), leg.transfer_m.begin(), leg.transfer_m.end());
-      way.push_back(plan_.legs[i + 1].entry_m);
       text_ += fmt::format(
           "<polyline points=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"1\" "
           "stroke-dasharray=\"{}\"/>\n",
-          polyline(way), style.stroke, style.dash);
+          polyline(transfer_after(plan_, i)), style.stroke, style.dash);
     }
     const double share = range > 0.0 ? (leg.height_m - lowest_m_) / range : 0.0;
     text_ += fmt::format(
