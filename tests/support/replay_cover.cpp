@@ -113,12 +113,14 @@ std::vector<std::string> faults_of_cover(const coverage::Task& task, const cover
                                               .step_m = kStep_m,
                                               .tolerance_m = 0.02});
     if (verdict.outside_m > kLineOutside_m) out.push_back("a line leaves " + name);
+    // Less than is asked for must at the least be what the plan itself says.
+    const double said = report.area_m2 > 0.0 ? report.covered_m2 / report.area_m2 : 1.0;
+    const double least = std::min(question.covered_share, said - (1.0 - question.covered_share));
     double share = seen_share(task, *field, lines, question.raster_m);
     // A coarse raster of a small field knows no thousandths.
-    if (share < question.covered_share) share = seen_share(task, *field, lines, question.raster_m * kFiner);
+    if (share < least) share = seen_share(task, *field, lines, question.raster_m * kFiner);
     worst_share = std::min(worst_share, share);
-    if (share < question.covered_share)
-      out.push_back(name + " is covered to " + std::to_string(100.0 * share) + " % only");
+    if (share < least) out.push_back(name + " is covered to " + std::to_string(100.0 * share) + " % only");
   }
   return out;
 }
