@@ -25,6 +25,14 @@ struct GtspBenchOptions {
   std::string instances = "../shared/data/gtsplib";
   std::string mode = "default";
   int max_vertices = 1'100;
+  bool is_growth_only = false;
+  double growth_budget_s = 300.0;  ///< CPU time of all runs for the growth together
+};
+
+/// What a run may take.
+struct RunLimits {
+  double time_s = 0.0;  ///< CPU; 0: as long as the mode does
+  double bound_effort = 1.0;
 };
 
 gtsp::Mode mode_named(const std::string& name) {
@@ -44,7 +52,8 @@ struct Run {
   Curve curve;
 };
 
-Result<Run> solve_once(const GtspBenchOptions& options, const GtspCase& bench_case, std::uint64_t seed) {
+Result<Run> solve_once(const GtspBenchOptions& options, const GtspCase& bench_case, std::uint64_t seed,
+                       const RunLimits& limits) {
   const ProcessCpuClock clock;
   gtsp::Options solver;
   solver.mode = mode_named(options.mode);
@@ -53,7 +62,8 @@ Result<Run> solve_once(const GtspBenchOptions& options, const GtspCase& bench_ca
   solver.stop.clock = &clock;
   solver.stop.stop_requested = &cli::interrupted();
   const double begin_s = clock.now_s();
-  if (options.base.time_limit_s > 0.0) solver.stop.deadline_s = begin_s + options.base.time_limit_s;
+  if (limits.time_s > 0.0) solver.stop.deadline_s = begin_s + limits.time_s;
+  solver.bound_effort = limits.bound_effort;
   const gtsp::Solution solution = gtsp::solve(bench_case.instance, solver);
   Run run{solution.cost, solution.lower_bound, clock.now_s() - begin_s, {}};
   for (const auto& entry : solution.history) run.curve.push_back({1e3 * entry.wall_s, 0, 0, entry.cost});
@@ -74,6 +84,16 @@ class GtspBench {
   }
 
   Status run() {
+    if (!options_.is_growth_only) {
+      if (const Status status = measure_files(); !status) return status;
+      report_.tables.push_back(table_);
+    }
+    return measure_growth();
+  }
+  Report& report() { return report_; }
+
+ private:
+  Status measure_files() {
     auto cases = std::vector<GtspCase>{};
     if (std::filesystem::is_directory(options_.instances)) {
       auto read = read_gtsp_cases(options_.instances);
@@ -88,13 +108,9 @@ class GtspBench {
       if (bench_case.instance.vertex_count() > (options_.base.quick ? 110 : options_.max_vertices)) continue;
       if (const Status status = measure(bench_case); !status) return status;
     }
-    if (const Status status = measure_growth(); !status) return status;
-    report_.tables.push_back(table_);
     return {};
   }
-  Report& report() { return report_; }
 
- private:
   Status read_peers() {
     const auto peers = read_peer_results(options_.base.data + "/gtsp_peers.csv");
     if (!peers) return peers.error();
@@ -109,12 +125,12 @@ class GtspBench {
     return {};
   }
 
-  Result<std::vector<Run>> runs_on(const GtspCase& bench_case, int count) {
+  Result<std::vector<Run>> runs_on(const GtspCase& bench_case, int count, const RunLimits& limits) {
     std::vector<Run> runs;
     for (int i = 0; i < count && !cli::interrupted(); ++i) {
       progress_.update(fmt::format("{}, run {} of {}", bench_case.name, i + 1, count));
       const std::uint64_t seed = options_.base.common.seed + static_cast<std::uint64_t>(i);
-      auto run = solve_once(options_, bench_case, seed);
+      auto run = solve_once(options_, bench_case, seed, limits);
       if (!run) return run.error();
       add_row(bench_case.name, seed, "cost", run->cost, "");
       add_row(bench_case.name, seed, "lower_bound", run->lower_bound, "");
@@ -130,7 +146,8 @@ class GtspBench {
   }
 
   Status measure(const GtspCase& bench_case) {
-    const auto result = runs_on(bench_case, runs_of(options_.base, 10, 3));
+    const auto result =
+        runs_on(bench_case, runs_of(options_.base, 10, 3), {.time_s = options_.base.time_limit_s});
     if (!result) return result.error();
     if (result->empty()) return {};
     const std::vector<Run>& runs = *result;
@@ -180,6 +197,14 @@ class GtspBench {
     report_.figures.push_back({"Convergence on " + name + ": median and quartiles.", draw(chart)});
   }
 
+  /// Seconds for each run of a size, so that all together keep the budget; the larger, the more.
+  double growth_limit_s(const std::vector<int>& sizes, int n, int runs) const {
+    const auto weight = [](int size) { return std::pow(size, 1.2); };
+    double sum = 0.0;
+    for (const int size : sizes) sum += weight(size);
+    return options_.growth_budget_s * weight(n) / sum / runs;
+  }
+
   /// Median CPU time to 1 % above the best of all seeds, against the number of vertices.
   Status measure_growth() {
     const std::vector<int> sizes = options_.base.quick ? std::vector<int>{50, 100, 200}
@@ -188,7 +213,9 @@ class GtspBench {
     Table growth{"Growth on generated instances", {"vertices", "median CPU ms to 1 %"}, {}};
     for (const int n : sizes) {
       const GtspCase bench_case = generated_gtsp_case(n, 1);
-      const auto runs = runs_on(bench_case, runs_of(options_.base, 5, 3));
+      const int count = runs_of(options_.base, 5, 3);
+      const RunLimits limits{.time_s = growth_limit_s(sizes, n, count), .bound_effort = 0.0};
+      const auto runs = runs_on(bench_case, count, limits);
       if (!runs) return runs.error();
       if (runs->empty()) break;
       double best = gtsp::kNoArc;
@@ -263,8 +290,12 @@ void add_gtsp(CLI::App& app, cli::Exit& exit) {
   command->add_option("--mode", options->mode, "Of the solver")
       ->check(CLI::IsMember({"fast", "default", "slow"}));
   command->add_option("--max-vertices", options->max_vertices, "Leave larger files out");
+  command->add_flag("--growth", options->is_growth_only, "Only the growth of the time to 1 % with the size");
+  command->add_option("--growth-budget", options->growth_budget_s, "CPU seconds of all its runs together")
+      ->check(CLI::Range(1.0, 1e6));
   add_options(*command, options->base,
               "  swallowtail bench gtsp --quick\n"
+              "  swallowtail bench gtsp --growth --growth-budget 120\n"
               "  swallowtail bench gtsp --mode fast --runs 10 -o gtsp.html");
   command->callback([options, &exit] { exit = run_bench(*options); });
 }
