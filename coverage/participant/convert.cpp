@@ -18,11 +18,13 @@ planner::VehicleLimits to_limits(const data::VehicleLimits& v) {
 
 Battery to_battery(const data::BatteryLimits& b) {
   const data::EnergyModel& m = b.model;
-  return {b.capacity,
-          b.reserve,
-          static_cast<int>(std::min<std::uint32_t>(b.levels, 1000)),
-          b.charge_s_per_unit,
-          {m.level_per_s, m.climb_per_s, m.descent_per_s, m.hover_per_s, m.landed_per_s}};
+  Battery out;
+  out.capacity = b.capacity;
+  out.reserve = b.reserve;
+  out.levels = static_cast<int>(std::min<std::uint32_t>(b.levels, 1000));
+  out.charge_s_per_unit = b.charge_s_per_unit;
+  out.model = {m.level_per_s, m.climb_per_s, m.descent_per_s, m.hover_per_s, m.landed_per_s};
+  return out;
 }
 
 AircraftMode to_mode(data::VehicleMode mode) {
