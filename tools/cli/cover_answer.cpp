@@ -277,7 +277,8 @@ std::string plan_geojson(const std::vector<Covered>& done) {
       properties.erase("carry_to_m");
       writer.add_point(meeting.site_m, std::move(properties));
     }
-    for (const Json& feature : Json::parse(writer.text())["features"]) features.push_back(feature);
+    const Json written = Json::parse(writer.text());
+    for (const Json& feature : written["features"]) features.push_back(feature);
   }
   return Json({{"type", "FeatureCollection"}, {"features", features}}).dump(1) + "\n";
 }
