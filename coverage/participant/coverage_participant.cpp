@@ -211,6 +211,14 @@ Status CoverageParticipant::publish_plan() {
   if (!keeper_ || is_published_) return {};
   const WirePlans plans = to_wire(*keeper_, ground_.revision());
   is_published_ = true;
+  if (plans.coverage.legs.size() > data::kMaxLegs) {
+    bus_.count_rejection("CoverageTask", "more legs than a plan holds");
+    status_->set_health(data::Health::kDegraded, "The plan has " +
+                                                     std::to_string(plans.coverage.legs.size()) +
+                                                     " legs; a CoveragePlan holds " +
+                                                     std::to_string(data::kMaxLegs) + ". Split the task.");
+    return {};
+  }
   inbox_->own_revision.store(plans.coverage.revision);
   // The robot's first: it may learn where to go before the aircraft flies there, not after.
   if (Status sent = charger_publisher_->publish(plans.charger); !sent) return sent;
