@@ -2,7 +2,9 @@
 // values that must be equal, values within limits (`why` says where these are from).
 #include <algorithm>
 #include <fstream>
+#include <iterator>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -181,6 +183,32 @@ TEST(CommandLine, TerrainIsWrittenAndReadBack) {
          "190, 40]\n";
   const Outcome plan = run({"plan", folder.file("over.yaml"), "--json"});
   EXPECT_EQ(plan.exit_code, 0) << plan.err;
+}
+
+TEST(CommandLine, CoverFilesHoldEveryLegTransferAndTheFlightThere) {
+  const test::ScratchFolder folder;
+  std::ofstream(folder.file("field.geojson"))
+      << R"({"type":"FeatureCollection","features":[{"type":"Feature","properties":{"id":"u"},"geometry":)"
+         R"({"type":"Polygon","coordinates":[[[5.0,52.0],[5.003,52.0],[5.003,52.0015],[5.0,52.0015],)"
+         R"([5.0,52.0]],[[5.0005,52.0003],[5.0005,52.0012],[5.0009,52.0012],[5.0009,52.0003],)"
+         R"([5.0005,52.0003]]]}}]})";
+  const std::string field = folder.file("field.geojson");
+  const auto cover = [&](const char* file) {
+    const Outcome outcome = run({"cover", field, "--sensor-width", "14", "--json", "-o", folder.file(file)});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    std::ifstream stream(folder.file(file));
+    return std::pair(json::parse(outcome.out), std::string(std::istreambuf_iterator<char>(stream), {}));
+  };
+  const auto [answer, geojson] = cover("legs.geojson");
+  const std::size_t legs = answer["legs"].size();
+  ASSERT_GT(legs, 4u);
+  // Legs, transfers between them, the flight to the first, and rendezvous.
+  EXPECT_EQ(json::parse(geojson)["features"].size(), 2 * legs + answer["rendezvous"].size());
+  EXPECT_EQ(answer["origins"].size(), 1u);
+  EXPECT_GE(answer["approaches_m"][0].size(), 2u);
+  const std::string kml = cover("legs.kml").second;
+  EXPECT_NE(kml.find("<name>approach</name>"), std::string::npos);
+  EXPECT_NE(kml.find("<name>transfer " + std::to_string(legs - 2) + "</name>"), std::string::npos);
 }
 
 }  // namespace
