@@ -159,6 +159,9 @@ void PlanKeeper::finish_leg(std::size_t leg) {
     if (tries >= params_.gap_tries || length < 1e-6) {
       unflown_m_ += gap.to_m - gap.from_m;
       plan_.complete = false;
+      given_up_ = std::to_string(std::lround(std::ceil(gap.to_m - gap.from_m))) + " m of sub-cell " +
+                  std::to_string(flown.sub_cell_id) + " given up after " + std::to_string(tries + 1) +
+                  " tries";
       continue;
     }
     const Vec3 along = (flown.exit_m - flown.entry_m) / length;
@@ -224,7 +227,15 @@ bool PlanKeeper::on_vehicle(const AircraftView& vehicle) {
     bias_is_due_ = true;
   }
   follow_progress(vehicle);
-  return vehicle.on_ground() ? review_ground() : review_gaps();
+  return tell_given_up(vehicle.on_ground() ? review_ground() : review_gaps());
+}
+
+/// What is given up is news, whether or not anything else has changed.
+bool PlanKeeper::tell_given_up(bool changed) {
+  if (given_up_.empty()) return changed;
+  note_revision(changed ? plan_.reason + "; " + given_up_ : given_up_);
+  given_up_.clear();
+  return true;
 }
 
 bool PlanKeeper::on_battery(const BatteryView& battery) {

@@ -97,6 +97,7 @@ class PlanKeeper {
 
   void follow_progress(const AircraftView& vehicle);
   void finish_leg(std::size_t leg);
+  bool tell_given_up(bool changed);
   void pass_meeting(const Vec3& from_m);
   bool may_retry();
   bool review_flight();
@@ -132,6 +133,7 @@ class PlanKeeper {
   std::map<std::uint32_t, int> tries_;  ///< by sub-cell: how often it has been a gap
   std::uint32_t next_id_ = 0;
   double unflown_m_ = 0.0;
+  std::string given_up_;  ///< not told yet
   double landed_since_s_ = 0.0;
   double last_shift_s_ = -1e9;
   double retry_s_ = -1e9;  ///< a solution that failed is not tried again before

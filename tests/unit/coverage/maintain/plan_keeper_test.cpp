@@ -110,5 +110,25 @@ TEST_F(Keeper, ABatteryThatHoldsLessChangesWhatIsAheadOnly) {
     EXPECT_GE(meeting.energy_from, made->task().battery.reserve - 1e-6);
 }
 
+TEST_F(Keeper, AStripThatCannotBeFlownIsGivenUpWithAReason) {
+  KeeperParams params;
+  params.gap_tries = 0;
+  auto made = PlanKeeper::make(holed_task(), planner::Terrain::flat(0.0), params);
+  ASSERT_TRUE(made.ok());
+  AircraftView start;
+  made->on_vehicle(start);
+  const double length = (made->plan().legs[0].exit_m - made->plan().legs[0].entry_m).norm();
+  for (int step = 0; step <= 100; ++step) {
+    AircraftView beside = on_leg(made->plan(), 0, 0.01 * step);
+    beside.position_m.z() += 10.0;
+    made->on_vehicle(beside);
+  }
+  EXPECT_TRUE(made->complete());
+  EXPECT_TRUE(made->on_vehicle(on_leg(made->plan(), 1, 0.0)));
+  EXPECT_FALSE(made->complete());
+  EXPECT_NE(made->plan().reason.find("given up"), std::string::npos) << made->plan().reason;
+  EXPECT_NEAR(made->unflown_m(), length, 1.0);
+}
+
 }  // namespace
 }  // namespace swallowtail::coverage
