@@ -22,9 +22,13 @@ constexpr double kRestShare = 0.7;
 /// Sweep directions that are cut and compared.
 constexpr std::size_t kSweepsTried = 3;
 constexpr double kBetter_m = 1e-6;
-/// Rounds of the line search for each piece, and at most.
-constexpr int kRoundsPerPiece = 10;
-constexpr int kMostRounds = 500;
+/// Rounds of the line search for each piece, and at most; between holes there is more to be had.
+struct Rounds {
+  int per_piece;
+  int most;
+};
+constexpr Rounds kRounds{5, 200};
+constexpr Rounds kRoundsAmongHoles{10, 500};
 /// Pieces of a field beyond which the search would be a drop in the ocean.
 constexpr std::size_t kMostSearched = 1000;
 
@@ -171,7 +175,8 @@ void improve(const Polygon& polygon, const StripParams& params, Strips& strips) 
   search.width_m = params.sensor_width_m;
   search.piece_cost_m = params.piece_cost_m;
   search.allowed_m2 = std::max(0.0, kUncoveredShare * area_m2(polygon) - strips.uncovered_m2);
-  search.rounds = std::min(kMostRounds, kRoundsPerPiece * static_cast<int>(pieces.size()));
+  const Rounds& rounds = polygon.holes.empty() ? kRounds : kRoundsAmongHoles;
+  search.rounds = std::min(rounds.most, rounds.per_piece * static_cast<int>(pieces.size()));
   const double lost_m2 = detail::search_lines(rotated(polygon, -strips.sweep_rad), search, pieces);
   int number = 0;
   for (const detail::Segment& piece : pieces) number = std::max(number, piece.strip + 1);

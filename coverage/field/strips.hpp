@@ -55,7 +55,7 @@ inline constexpr double kUncoveredShare = 2e-4;
 /// be clean. Errors (kBadInput): params; more than kMaxStrips strips. (kInternal): GEOS failed.
 /// Departs from [COV]: strips are spread evenly, so that the last is neither missing nor half outside, and
 /// borders get lines of their own. Departs from [BAHNEMANN]: directions are not chosen by the tour over cells
-/// but line by line before it: by cells less than 0.3 % was gained over one direction, by lines 2 to 12 %.
+/// but line by line before it: by cells less than 0.3 % was gained over one direction, by lines 2 to 14 %.
 Result<Strips> cut_strips(const Polygon& polygon, const StripParams& params);
 
 }  // namespace swallowtail::coverage
