@@ -9,6 +9,8 @@
 namespace swallowtail::gtsp::detail {
 namespace {
 
+/// A warm search has so much less work to do.
+constexpr double kWarmShare = 8.0;
 /// Beyond it the bound's tables would take longer than the search and more memory.
 constexpr int kMaxBoundVertices = 3'000;
 
@@ -24,8 +26,9 @@ bool Run::search_by_chains() {
   setup.stop = options_.stop;
   const double m = problem.cluster_count();
   setup.enough_hits = effort_.enough_hits;
-  setup.kicks = std::min({static_cast<std::uint64_t>(effort_.kicks_per_cluster * m),
-                          options_.stop.max_iterations, options_.stop.max_evaluations});
+  const double natural = effort_.kicks_per_cluster * m / (options_.warm_tour ? kWarmShare : 1.0);
+  setup.kicks = std::min(
+      {static_cast<std::uint64_t>(natural), options_.stop.max_iterations, options_.stop.max_evaluations});
   setup.stop.max_iterations = std::numeric_limits<std::uint64_t>::max();
   setup.stop.max_evaluations = std::numeric_limits<std::uint64_t>::max();
   outcomes_.resize(search::kChains);

@@ -13,9 +13,11 @@
 
 namespace swallowtail::gtsp::search {
 
-/// A tour and the local search on it: clusters that were changed or met by a change are looked at until no
-/// move of theirs helps, then the vertices around all changes are chosen anew (dynamic programming on
-/// windows), and so on until neither helps. Work is in proportion to what was changed, not to the tour.
+/// A tour and the local search on it: the vertices around all changes are chosen anew (dynamic programming on
+/// windows), then clusters that were changed or met by a change are looked at until no move of theirs helps,
+/// and so on until neither helps. Vertices come first because those from before a kick speak for the order
+/// before it: moves alone would take most kicks back. Work is in proportion to what was changed, not to the
+/// tour.
 template <class Costs>
 class Climber {
  public:
@@ -64,6 +66,7 @@ class Climber {
   template <class Interrupted>
   void climb(Interrupted interrupted) {
     const auto wake_cluster = [this](int c) { wake(c); };
+    choose_around_touched();
     for (int looks = 1; !queue_.empty() || !touched_.empty(); ++looks) {
       if (queue_.empty()) choose_around_touched();
       if (queue_.empty()) continue;
