@@ -99,6 +99,7 @@ struct Plan {
   std::vector<Rendezvous> rendezvous;
   double cost = 0.0;        ///< what was minimised: the makespan
   double makespan_s = 0.0;  ///< from the start to the last landing
+  double take_off_s = 0.0;  ///< the first
   double flight_m = 0.0;
   double flight_s = 0.0;
   int recharges = 0;
