@@ -70,6 +70,7 @@ void ReplayFlight::stand_at(const Vec3& site_m, double at_s, double holds) {
   time_s = at_s;
   energy = holds;
   before_.reset();
+  if (watch) watch(time_s, at_m);
 }
 
 void ReplayFlight::spend(double duration_s, const Vec3& velocity_mps) {
@@ -81,6 +82,7 @@ void ReplayFlight::spend(double duration_s, const Vec3& velocity_mps) {
     energy -= low * thin_air(task_.battery.model, altitude) * step;
     at_m += velocity_mps * step;
     least_energy = std::min(least_energy, energy);
+    if (watch) watch(time_s + step * (i + 1), at_m);
   }
   time_s += duration_s;
   flown_s += duration_s;

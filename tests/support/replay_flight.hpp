@@ -12,6 +12,8 @@
 namespace swallowtail::test_support {
 
 using GroundAt = std::function<double(double x_m, double y_m)>;
+/// Told where the aircraft is at the end of every step, and before the first.
+using Watch = std::function<void(double time_s, const Vec3& at_m)>;
 
 /// Units per second of a velocity over ground at an altitude, from the task's energy model, worked out anew.
 double power_of(const coverage::Task& task, const Vec3& velocity_mps, double altitude_m);
@@ -30,6 +32,7 @@ class ReplayFlight {
   double energy = 0.0;
   Vec3 at_m = Vec3::Zero();
   double least_energy = 0.0;  ///< at any instant aloft so far
+  Watch watch{};
   double flown_m = 0.0;
   double flown_s = 0.0;
 

@@ -219,7 +219,9 @@ void Replay::transfer(std::size_t i) {
 
 void Replay::fly_all() {
   const double ground = question_.ground_m(task_.start_m.x(), task_.start_m.y());
-  flight_.stand_at({task_.start_m.x(), task_.start_m.y(), ground}, 0.0, task_.battery.capacity);
+  flight_.watch = question_.watch;
+  flight_.stand_at({task_.start_m.x(), task_.start_m.y(), ground}, question_.take_off_s,
+                   task_.battery.capacity);
   flight_.least_energy = task_.battery.capacity;
   least_landed_ = task_.battery.capacity;
   take_off();

@@ -13,7 +13,9 @@ namespace swallowtail::test_support {
 struct ReplayQuestion {
   GroundAt ground_m;
   ReplayRoads robot;
-  double lead_s = 1.0;  ///< from ready until the aircraft leaves the ground
+  double take_off_s = 0.0;  ///< the aircraft waits at its start so long
+  double lead_s = 1.0;      ///< from ready until the aircraft leaves the ground
+  Watch watch{};            ///< of the whole flight
   double energy_margin =
       0.0;                    ///< share of a flight's energy that must be left besides the reserve on landing
   double energy_spare = 0.0;  ///< besides
@@ -32,7 +34,7 @@ struct ReplayVerdict {
   double covered_share = 1.0;  ///< of the worst field
 };
 
-/// The aircraft takes off at the start at time 0 with a full battery and does what legs and rendezvous say.
+/// The aircraft takes off at the start at take_off_s with a full battery and does what legs and rendezvous say.
 /// Faults:
 /// - energy below the reserve at any instant, or less left on landing than margin and spare ask for;
 /// - a claimed time or energy of a leg or rendezvous that the replay does not find;
