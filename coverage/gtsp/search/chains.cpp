@@ -27,7 +27,7 @@ constexpr std::uint64_t kMostKicks = 400;
 /// Fewer clusters than these are annealed in a moment, and it is better to begin anew than to go on: all
 /// rounds are this long then.
 constexpr int kFewClusters = 60;
-constexpr std::uint64_t kShortKicks = 50;
+constexpr std::uint64_t kShortKicks = 25;
 
 struct Chain {
   std::vector<int> tour;
