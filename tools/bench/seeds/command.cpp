@@ -9,6 +9,7 @@
 #include "tools/bench/core/options.hpp"
 #include "tools/bench/seeds/christmas_island.hpp"
 #include "tools/bench/seeds/claims.hpp"
+#include "tools/bench/seeds/coverage_experiments.hpp"
 #include "tools/bench/seeds/run.hpp"
 
 namespace swallowtail::bench {
@@ -17,6 +18,9 @@ namespace {
 constexpr int kRuns = 30;
 constexpr int kQuickRuns = 3;
 constexpr int kQuickIterations = 10;
+/// Of the coverage experiments, whose sweeps have many settings.
+constexpr int kCoverageRuns = 8;
+constexpr int kQuickCoverageRuns = 2;
 
 struct SeedsBench {
   Options options;
@@ -39,6 +43,7 @@ SeedsSchedule schedule_of(const Options& options) {
 std::vector<std::string> known_names() {
   std::vector<std::string> names;
   for (const Experiment& experiment : experiments()) names.push_back(experiment.name);
+  for (const std::string& name : coverage_experiments()) names.push_back(name);
   names.emplace_back(kNmopsoIsland);
   names.emplace_back(kSpsoIsland);
   return names;
@@ -89,6 +94,11 @@ Status run_one(const std::string& name, const Options& options, cli::Progress& p
                                       : run_spso_island(*file, schedule, progress, report),
                 island_claims);
   }
+  if (std::ranges::find(coverage_experiments(), name) != coverage_experiments().end()) {
+    SeedsSchedule fewer = schedule;
+    fewer.runs = runs_of(options, kCoverageRuns, kQuickCoverageRuns);
+    return keep(run_coverage_experiment(name, options.data, fewer, progress, report), coverage_claims);
+  }
   const Experiment& experiment = *std::ranges::find(experiments(), name, &Experiment::name);
   const auto scene = load_case(options.data + "/seeds/" + name + ".yaml");
   if (!scene) return scene.error();
@@ -136,6 +146,7 @@ void add_seeds(CLI::App& app, cli::Exit& exit) {
   add_options(*command, bench->options,
               "  swallowtail bench seeds\n"
               "  swallowtail bench seeds pso_five pso_ten --runs 100 -o claims.html\n"
+              "  swallowtail bench seeds cov_battery cov_levels -o coverage.html\n"
               "  swallowtail bench seeds boa_3d --quick --json");
   command->callback([bench, &exit] { exit = run_bench(*bench); });
 }
