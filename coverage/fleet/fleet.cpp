@@ -26,7 +26,8 @@ Status validate(const FleetOptions& fleet) {
   if (fleet.aircraft < 1 || fleet.aircraft > kMaxAircraft)
     return bad_input("The number of aircraft must be 1 to " + std::to_string(kMaxAircraft) + ", and is " +
                      std::to_string(fleet.aircraft) + ".");
-  if (!is_positive(fleet.separation.horizontal_m) || !is_positive(fleet.separation.vertical_m))
+  const Separation& apart = fleet.separation;
+  if (!is_positive(apart.horizontal_m) || !is_positive(apart.vertical_m) || !is_positive(apart.landed_m))
     return bad_input("The distances that aircraft keep must be positive numbers of metres.");
   return {};
 }
@@ -96,6 +97,38 @@ std::optional<std::vector<std::vector<double>>> delays_in(const std::vector<std:
     delay(plan, traces[k], *delays);
     placed.push_back(trace_of(plan, members[k].task.start_m, model));
     out[k] = *delays;
+  }
+  return out;
+}
+
+using Visits = std::vector<Visit>;
+
+/// Other ends for an aircraft whose last landing is in another's way.
+constexpr int kWays = 3;
+Visits way_of(const Visits& visits, int way) {
+  Visits out = visits;
+  if (way == 1) {
+    std::ranges::reverse(out);
+    for (Visit& visit : out) visit.from_beta = !visit.from_beta;
+  }
+  if (way == 2) out.back().from_beta = !out.back().from_beta;
+  return out;
+}
+
+/// Which way each aircraft flies, the fewest changes first.
+constexpr std::size_t kMostWays = 100;
+std::vector<std::vector<int>> ways_of_fleet(std::size_t aircraft) {
+  std::vector<std::vector<int>> out{std::vector<int>(aircraft, 0)};
+  // Each changes one aircraft more than what it is made from, past those that are changed already.
+  for (std::size_t from = 0; from < out.size() && out.size() < kMostWays; ++from) {
+    std::size_t next = aircraft;
+    while (next > 0 && out[from][next - 1] == 0) --next;
+    for (std::size_t k = next; k < aircraft; ++k) {
+      for (int way = 1; way < kWays; ++way) {
+        out.push_back(out[from]);
+        out.back()[k] = way;
+      }
+    }
   }
   return out;
 }
@@ -170,12 +203,22 @@ Result<FleetPlan> plan_fleet(const Task& task, const planner::Terrain& terrain, 
   FleetPlan out;
   out.separation = fleet.separation;
   out.alone_s = whole.makespan_s;
-  for (std::size_t k = 0; k < starts.size(); ++k) {
-    std::optional<Plan> plan = plan_of(whole, parts->visits[k], starts[k], stop_params(task, options), links);
-    if (!plan) return internal_error("The share of an aircraft cannot be scheduled.");
-    out.members.push_back({std::move((*tasks)[k]), std::move(*plan), 0.0});
+  Status separated = internal_error("The share of an aircraft cannot be scheduled.");
+  for (const std::vector<int>& way : ways_of_fleet(starts.size())) {
+    if (options.stop.interrupted())
+      return Error{Error::Code::kInterrupted, "Interrupted before the aircraft were kept apart."};
+    std::vector<Member> members;
+    for (std::size_t k = 0; k < starts.size(); ++k) {
+      std::optional<Plan> plan =
+          plan_of(whole, way_of(parts->visits[k], way[k]), starts[k], stop_params(task, options), links);
+      if (plan) members.push_back({(*tasks)[k], std::move(*plan), 0.0});
+    }
+    if (members.size() < starts.size()) continue;
+    separated = separate(members, fleet.separation, model);
+    out.members = std::move(members);
+    if (separated) break;
   }
-  if (const Status status = separate(out.members, fleet.separation, model); !status) return status.error();
+  if (!separated) return separated.error();
   if (!keeps(out.members, fleet.separation, model))
     return internal_error("Two aircraft of the schedule found come too close.");
   for (const Member& member : out.members) out.makespan_s = std::max(out.makespan_s, member.plan.makespan_s);

@@ -38,8 +38,13 @@ Vec3 velocity_of(const TimedPiece& piece) {
   return (piece.to_m - piece.from_m) / duration;
 }
 
+double level_m(const TimedPiece& a, const TimedPiece& b, const Separation& separation) {
+  return a.is_landed || b.is_landed ? separation.landed_m : separation.horizontal_m;
+}
+
 bool boxes_meet(const TimedPiece& a, const TimedPiece& b, const Separation& separation) {
-  const Vec3 reach(separation.horizontal_m, separation.horizontal_m, separation.vertical_m);
+  const double apart_m = level_m(a, b, separation);
+  const Vec3 reach(apart_m, apart_m, separation.vertical_m);
   return ((a.from_m.cwiseMax(a.to_m) + reach - b.from_m.cwiseMin(b.to_m)).array() > 0.0).all() &&
          ((b.from_m.cwiseMax(b.to_m) + reach - a.from_m.cwiseMin(a.to_m)).array() > 0.0).all();
 }
@@ -49,10 +54,10 @@ std::vector<TimedPiece> pieces_of(const Trace& trace) {
   std::vector<TimedPiece> out;
   for (const Stretch& stretch : trace.stretches) {
     for (const Vec3& stand : stretch.stands_m)
-      out.push_back({stand, stand, stretch.stands_from_s, stretch.take_off_s});
+      out.push_back({stand, stand, stretch.stands_from_s, stretch.take_off_s, true});
     out.insert(out.end(), stretch.pieces.begin(), stretch.pieces.end());
   }
-  out.push_back({trace.end_m, trace.end_m, trace.end_s, kInfinity});
+  out.push_back({trace.end_m, trace.end_m, trace.end_s, kInfinity, true});
   return out;
 }
 
@@ -78,11 +83,11 @@ class Yielding {
     for (const Stretch& stretch : mover.stretches) {
       stands_.emplace_back();
       for (const Vec3& stand : stretch.stands_m)
-        watch({stand, stand, stretch.stands_from_s, stretch.take_off_s}, all, stands_.back());
+        watch({stand, stand, stretch.stands_from_s, stretch.take_off_s, true}, all, stands_.back());
       flights_.emplace_back();
       for (const TimedPiece& piece : stretch.pieces) watch(piece, all, flights_.back());
     }
-    watch({mover.end_m, mover.end_m, mover.end_s, kInfinity}, all, end_);
+    watch({mover.end_m, mover.end_m, mover.end_s, kInfinity, true}, all, end_);
   }
 
   std::optional<std::vector<double>> run() {
@@ -152,7 +157,7 @@ bool conflict(const TimedPiece& a, double shift_s, const TimedPiece& b, const Se
   const Vec3 offset = a.from_m + velocity_a * (both.from_s - a.start_s - shift_s) - b.from_m -
                       velocity_b * (both.from_s - b.start_s);
   const Vec3 velocity = velocity_a - velocity_b;
-  const Times level = near_times(offset.head<2>(), velocity.head<2>(), separation.horizontal_m);
+  const Times level = near_times(offset.head<2>(), velocity.head<2>(), level_m(a, b, separation));
   const Times upright = near_times(Vec2(offset.z(), 0.0), Vec2(velocity.z(), 0.0), separation.vertical_m);
   const Times close = meet(meet(level, upright), {0.0, both.to_s - both.from_s});
   return close.to_s - close.from_s > kTouch_s;

@@ -9,10 +9,13 @@
 
 namespace swallowtail::coverage {
 
-/// Two teams keep one of the two at all times, aloft or landed, their robots at a rendezvous included.
+/// Two aircraft aloft keep one of the first two distances at all times. Where one or both have landed (the
+/// place of the last landing included, for good), or a robot waits at a rendezvous, `landed_m` takes the
+/// first one's place.
 struct Separation {
   double horizontal_m = 10.0;
   double vertical_m = 5.0;
+  double landed_m = 3.0;
 };
 
 /// Whether two pieces, the first `shift_s` later than it says, come closer than they should: closed form of

@@ -41,7 +41,7 @@ class Tracer {
     out_.stretches.push_back(std::move(stretch));
   }
   void add(const Vec3& to, double duration_s) {
-    out_.stretches.back().pieces.push_back({at_m_, to, time_s_, time_s_ + duration_s});
+    out_.stretches.back().pieces.push_back({at_m_, to, time_s_, time_s_ + duration_s, false});
     at_m_ = to;
     time_s_ += duration_s;
   }

@@ -14,6 +14,7 @@ struct TimedPiece {
   Vec3 to_m = Vec3::Zero();
   double start_s = 0.0;
   double end_s = 0.0;
+  bool is_landed = false;
 };
 
 /// Waiting on the ground, then flying until the next landing.

@@ -25,24 +25,29 @@ std::uint64_t task_count() {
   return asked != nullptr ? std::strtoull(asked, nullptr, 10) : 40;
 }
 
+struct Body {
+  Vec3 at_m;
+  bool is_landed;
+};
+
 /// Places that a team takes up, by tick. Standing on the ground counts for every tick in between.
 class Log {
  public:
   void stand(const Vec3& at_m, double from_s, double to_s) {
     for (long tick = tick_of(from_s) + 1; static_cast<double>(tick) * kTick_s <= to_s; ++tick)
-      places_[tick].push_back(at_m);
+      places_[tick].push_back({at_m, true});
   }
   void fly(double from_s, const Vec3& from_m, double to_s, const Vec3& to_m) {
     for (long tick = tick_of(from_s) + 1; static_cast<double>(tick) * kTick_s <= to_s; ++tick) {
       const double share = (static_cast<double>(tick) * kTick_s - from_s) / (to_s - from_s);
-      places_[tick].push_back(from_m + (to_m - from_m) * share);
+      places_[tick].push_back({from_m + (to_m - from_m) * share, false});
     }
   }
-  const std::map<long, std::vector<Vec3>>& places() const { return places_; }
+  const std::map<long, std::vector<Body>>& places() const { return places_; }
 
  private:
   static long tick_of(double time_s) { return static_cast<long>(std::floor(time_s / kTick_s)); }
-  std::map<long, std::vector<Vec3>> places_;
+  std::map<long, std::vector<Body>> places_;
 };
 
 /// Flown by the replay, which says where the aircraft is; what stands meanwhile is taken from the plan.
@@ -82,12 +87,12 @@ double worst_breach_m(const Log& a, const Log& b, const Separation& separation) 
   for (const auto& [tick, places] : a.places()) {
     const auto there = b.places().find(tick);
     if (there == b.places().end()) continue;
-    for (const Vec3& p : places) {
-      for (const Vec3& q : there->second) {
+    for (const auto& [p, p_landed] : places) {
+      for (const auto& [q, q_landed] : there->second) {
         const double level = std::hypot(p.x() - q.x(), p.y() - q.y());
         const double upright = std::abs(p.z() - q.z());
-        worst_m =
-            std::max(worst_m, std::min(separation.horizontal_m - level, separation.vertical_m - upright));
+        const double asked = p_landed || q_landed ? separation.landed_m : separation.horizontal_m;
+        worst_m = std::max(worst_m, std::min(asked - level, separation.vertical_m - upright));
       }
     }
   }
@@ -119,6 +124,7 @@ TEST(FleetProperty, TeamsCoverTheTaskOnceAndKeepTheirDistance) {
     options.aircraft = 2 + static_cast<int>(rng.below(3));
     options.separation.horizontal_m = rng.uniform(2.0, 15.0);
     options.separation.vertical_m = rng.uniform(1.0, 8.0);
+    options.separation.landed_m = rng.uniform(0.5, 4.0);
     options.alone = &*alone;
     if (alone->sub_cells.size() < static_cast<std::size_t>(options.aircraft)) continue;
     const auto fleet = plan_fleet(random.task, random.terrain, random.options, options);
