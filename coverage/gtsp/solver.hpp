@@ -15,7 +15,7 @@
 namespace swallowtail::gtsp {
 
 /// How long the search goes on when nothing else stops it; every mode ends by itself after a number of
-/// iterations.
+/// iterations, or sooner, when enough searches that began from nothing have met the same best cost.
 enum class Mode { kFast, kDefault, kSlow };
 
 /// A closed tour returns from its last vertex to its first; an open one does not.
