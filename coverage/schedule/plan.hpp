@@ -94,7 +94,7 @@ struct Plan {
   std::vector<std::string> notes{};  ///< sentences on what was taken although it may not be meant
   std::vector<SubCell> sub_cells;
   std::vector<Polygon> polygons;  ///< of the planned fields, as cut: where lines and transfers may run
-  std::vector<Vec3> approach_m;  ///< where the flight from the start to the first leg bends, in order
+  std::vector<Vec3> approach_m;   ///< where the flight from the start to the first leg bends, in order
   std::vector<Leg> legs;
   std::vector<Rendezvous> rendezvous;
   double cost = 0.0;        ///< what was minimised: the makespan

@@ -34,8 +34,8 @@ struct ReplayVerdict {
   double covered_share = 1.0;  ///< of the worst field
 };
 
-/// The aircraft takes off at the start at take_off_s with a full battery and does what legs and rendezvous say.
-/// Faults:
+/// The aircraft takes off at the start at take_off_s with a full battery and does what legs and rendezvous
+/// say. Faults:
 /// - energy below the reserve at any instant, or less left on landing than margin and spare ask for;
 /// - a claimed time or energy of a leg or rendezvous that the replay does not find;
 /// - a rendezvous that is not below its leg's end, too short for handling, charging and carrying, or charging

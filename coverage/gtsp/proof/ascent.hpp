@@ -32,7 +32,8 @@ class WalkAscent {
 
   /// No tour below the upper bound costs less; may be more than the upper bound.
   double bound() const { return bound_; }
-  /// As it was for the best bound by whole walks, or by windows before there was one; by cluster of the graph.
+  /// As it was for the best bound by whole walks, or by windows before there was one; by cluster of the
+  /// graph.
   const std::vector<double>& price() const { return best_price_; }
   NgWalks& walks() { return walks_; }
   const std::vector<int>& tour() const { return tour_; }  ///< after kTour: vertices of the graph, root first

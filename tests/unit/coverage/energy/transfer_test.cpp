@@ -14,8 +14,11 @@ class Transfers : public testing::Test {
   const FlownLeg first_{{0, 0, 30}, {100, 0, 30}};
   const FlownLeg second_{{100, 10, 30}, {0, 10, 30}};
   const LegLink link_ = link_legs(first_, second_, model_, charger_);
-  const TransferTerms terms_{
-      .capacity = 100.0, .reserve = 10.0, .charging = {.s_per_unit = 2.0, .full = 100.0}, .take_off_s = 5.0, .landing_s = 5.0};
+  const TransferTerms terms_{.capacity = 100.0,
+                             .reserve = 10.0,
+                             .charging = {.s_per_unit = 2.0, .full = 100.0},
+                             .take_off_s = 5.0,
+                             .landing_s = 5.0};
   const double hop_ = 10.0 / 8.0 + 2.0;
   const double down_ = 11.0;
 };

@@ -94,8 +94,7 @@ TEST(RoughGround, KeepsOffSteepSlopes) {
     EXPECT_LE(std::atan(std::hypot(dx, dy) / 0.2), 0.35 + 1e-6);
   }
   params.slope_max_rad = 1.4;
-  EXPECT_LT((*RoughGround::make(params, hill))->drive_s(a, b), 64.0)
-      << "a robot that climbs goes over it";
+  EXPECT_LT((*RoughGround::make(params, hill))->drive_s(a, b), 64.0) << "a robot that climbs goes over it";
 }
 
 TEST(RoughGround, LargeGroundHasWiderCells) {
