@@ -20,10 +20,11 @@ coverage::ChargingCurve charging_of(const planner::Scenario& scenario, double ca
 
 }  // namespace
 
-Battery::Battery(const planner::Scenario& scenario, double capacity, std::uint64_t seed)
+Battery::Battery(const planner::Scenario& scenario, double capacity, std::uint64_t seed, double consumption)
     : model_(coverage::energy_model_of(scenario)),
       wind_(scenario.wind),
       noise_(scenario.battery_noise),
+      consumption_(consumption),
       cruise_speed_mps_(scenario.vehicle.limits.cruise_speed_mps),
       capacity_(capacity),
       charging_(charging_of(scenario, capacity)),
@@ -67,7 +68,7 @@ void Battery::advance(const Load& load, double duration_s) {
   wander(duration_s);
   const double noise = load.on_ground ? 0.0 : noise_ * drift_;
   const double before = energy_;
-  const double drawn = model_power(load) * std::max(0.0, 1.0 + wind_share(load) + noise);
+  const double drawn = consumption_ * model_power(load) * std::max(0.0, 1.0 + wind_share(load) + noise);
   const double charged =
       charging_.is_linear() ? load.charge_rate : std::min(load.charge_rate, charging_.rate(energy_));
   energy_ = std::clamp(energy_ + (charged - drawn) * duration_s, 0.0, capacity_);

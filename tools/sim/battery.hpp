@@ -19,7 +19,7 @@ struct Load {
 };
 
 /// The battery's true state. Power is that of the scenario's energy model (coverage/energy/model.hpp) × (1 +
-/// wind + noise):
+/// wind + noise) × consumption:
 /// - wind: a multirotor's power is that of its speed through the air, and this is 0; with rates it is (|air
 /// speed| − |ground speed|) / cruise speed, at least −0.5; the wind's speed deviates by gusts;
 /// - noise: a slow wander of standard deviation `battery_noise`.
@@ -28,7 +28,8 @@ struct Load {
 /// seed gives one weather.
 class Battery {
  public:
-  Battery(const planner::Scenario& scenario, double capacity, std::uint64_t seed);
+  /// `consumption`: what is drawn in truth against what the model says; 1 for a true model.
+  Battery(const planner::Scenario& scenario, double capacity, std::uint64_t seed, double consumption = 1.0);
 
   void advance(const Load& load, double duration_s);
   /// Energy that is gone at once.
@@ -50,6 +51,7 @@ class Battery {
   coverage::EnergyModel model_;  ///< its wind is the one that blows
   const planner::WindSpec wind_;
   const double noise_;
+  const double consumption_;
   const double cruise_speed_mps_;
   const double capacity_;
   coverage::ChargingCurve charging_;

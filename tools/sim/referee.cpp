@@ -33,7 +33,11 @@ std::optional<Outcome> Referee::judge(const Motion& motion, double energy) {
   if (no_path_since_s_ && motion.time_s - *no_path_since_s_ > kNoPath_s) {
     return failed("the planner has had no safe path since %.1f s", *no_path_since_s_);
   }
-  if (is_stuck(motion, energy)) return failed("nothing has happened since %.1f s", anchor_.time_s);
+  if (is_stuck(motion, energy)) {
+    Outcome stuck = failed("nothing has happened since %.1f s", anchor_.time_s);
+    if (!plan_.reason.empty()) stuck.reason += "; the coverage plan's last word: " + plan_.reason;
+    return stuck;
+  }
   return std::nullopt;
 }
 

@@ -37,6 +37,9 @@ Status first_failure(Statuses... statuses) {
 Status validate(const SimOptions& options) {
   if (!is_positive(options.rate)) return bad_input("The rate must be positive.");
   if (!is_positive(options.await_limit_s)) return bad_input("The limit for awaiting must be positive.");
+  if (!is_positive(options.consumption)) return bad_input("The consumption must be positive.");
+  if (!(options.capacity_share > 0.0 && options.capacity_share <= 1.0))
+    return bad_input("The share of the capacity that the battery holds must lie in (0, 1].");
   if (!(options.max_time_s > 0.0)) return bad_input("The greatest mission time must be positive.");
   return {};
 }
@@ -47,7 +50,9 @@ Result<std::unique_ptr<SimParticipant>> SimParticipant::make(Bus& bus, const Clo
   if (Status valid = validate(options); !valid) return valid.error();
   auto simulation = Simulation::make(scenario, {.seed = options.seed,
                                                 .max_time_s = options.max_time_s,
-                                                .grace_s = std::max(kGrace_s, kGraceWall_s * options.rate)});
+                                                .grace_s = std::max(kGrace_s, kGraceWall_s * options.rate),
+                                                .consumption = options.consumption,
+                                                .capacity_share = options.capacity_share});
   if (!simulation) return simulation.error();
   std::unique_ptr<SimParticipant> sim(
       new SimParticipant(bus, clock, std::move(options), std::move(simulation).value()));

@@ -28,6 +28,8 @@ struct SimOptions {
   double await_limit_s = 120.0;        ///< wall time; then the mission fails
   double max_time_s = std::numeric_limits<double>::infinity();  ///< mission time
   std::uint64_t seed = 1;
+  double consumption = 1.0;                               ///< see Battery
+  double capacity_share = 1.0;                            ///< see SimulationOptions
   double progress_period_s = 0.5;                         ///< wall time
   std::function<void(const std::string&)> on_progress{};  ///< may be empty
 };

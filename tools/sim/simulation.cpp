@@ -32,7 +32,8 @@ Simulation::Simulation(const planner::Scenario& scenario, const SimulationOption
                 .grace_s = options.grace_s}) {
   if (scenario_.coverage) {
     const planner::CoverageSpec& coverage = *scenario_.coverage;
-    battery_.emplace(scenario_, coverage.battery.capacity, options.seed);
+    battery_.emplace(scenario_, options.capacity_share * coverage.battery.capacity, options.seed,
+                     options.consumption);
     raster_.emplace(mission_.fields, terrain_,
                     SwathParams{.sensor_width_m = coverage.sensor_width_m,
                                 .height_tolerance_m = coverage.height_tolerance_m});

@@ -21,7 +21,9 @@ namespace swallowtail::sim {
 struct SimulationOptions {
   std::uint64_t seed = 1;
   double max_time_s = std::numeric_limits<double>::infinity();
-  double grace_s = 5.0;  ///< see Referee
+  double grace_s = 5.0;         ///< see Referee
+  double consumption = 1.0;     ///< see Battery
+  double capacity_share = 1.0;  ///< what the battery holds in truth, of the scenario's capacity
 };
 
 /// The simulated world and aircraft, in fixed steps of mission time: terrain, obstacles and events, flight,
