@@ -19,8 +19,11 @@ constexpr double kLeastShare =
 constexpr double kLeastShareAloft = 0.1;  ///< the same in flight, when the energy is known not to do
 constexpr double kBiasStep =
     0.02;  ///< by which consumption is taken to be higher when there is too little to learn from
-constexpr double kMostBias = 1.25;
-constexpr double kLossRatio = 1.4;  ///< more than this is a loss, not consumption
+constexpr double kMostBias = 2.0;
+constexpr double kLossShare = 0.01;  ///< of the capacity: between two samples a larger surplus is a loss
+constexpr double kLandingSpareShare = 0.01;  ///< of the capacity
+constexpr double kOverdue_s =
+    120.0;  ///< past the time to leave, before it is said that the robot holds it up
 
 double flat_distance(const Vec3& a, const Vec3& b) { return (a - b).head<2>().norm(); }
 
@@ -49,6 +52,13 @@ PlanKeeper::PlanKeeper(Task task, planner::Terrain terrain, const KeeperParams& 
       ways_(std::move(ways)) {
   for (const Leg& leg : plan_.legs) next_id_ = std::max(next_id_, leg.sub_cell_id + 1);
   plan_.battery_energy = task_.battery.capacity;
+}
+
+/// To keep at a landing besides the reserve. Consumption above what was allowed for comes from wind or a bad
+/// model, and differs from flight to flight: then it is more.
+double PlanKeeper::landing_spare() const {
+  const bool unsteady = bias_ > 1.0 + params_.planning.energy_margin;
+  return (unsteady ? 2.0 : 1.0) * kLandingSpareShare * task_.battery.capacity;
 }
 
 double PlanKeeper::energy_now() const {
@@ -212,6 +222,7 @@ bool PlanKeeper::on_vehicle(const AircraftView& vehicle) {
     has_flown_ = true;
     solved_slack_.reset();
     lands_at_once_ = false;
+    told_overdue_ = false;
     take_off_energy_ = battery_ ? battery_->energy : -1.0;
     follow_progress(vehicle);
     if (const auto cost = to_next_landing()) take_off_cost_ = *cost;
@@ -227,7 +238,24 @@ bool PlanKeeper::on_vehicle(const AircraftView& vehicle) {
     bias_is_due_ = true;
   }
   follow_progress(vehicle);
-  return tell_given_up(vehicle.on_ground() ? review_ground() : review_gaps());
+  if (!vehicle.on_ground()) return tell_given_up(review_gaps());
+  const bool changed = review_ground();
+  return tell_given_up(review_wait() || changed);
+}
+
+/// Long past the time to leave, whoever waits for the mission is told what holds it up.
+bool PlanKeeper::review_wait() {
+  if (told_overdue_ || !has_flown_ || plan_.rendezvous.empty() || plan_.legs_done >= plan_.legs.size())
+    return false;
+  const double due_s = std::max(plan_.rendezvous.front().depart_s, landed_since_s_);
+  if (vehicle_->time_s < due_s + kOverdue_s) return false;
+  told_overdue_ = true;
+  const std::string since = std::to_string(std::lround(due_s)) + " s for the robot";
+  const bool silent = !robot_ || vehicle_->time_s - robot_->time_s > kOverdue_s;
+  note_revision("waits since " + since +
+                (silent ? ", which is silent"
+                        : (vehicle_->mode == AircraftMode::kDocked ? " to let it go" : " to come")));
+  return true;
 }
 
 /// What is given up is news, whether or not anything else has changed.
@@ -240,7 +268,11 @@ bool PlanKeeper::tell_given_up(bool changed) {
 
 bool PlanKeeper::on_battery(const BatteryView& battery) {
   if (battery_ && battery.time_s < battery_->time_s) return false;
+  if (battery_) forget_loss(*battery_, battery);
   battery_ = battery;
+  // An aged battery holds less than the task says; one that holds more is not trusted.
+  if (battery.capacity > task_.battery.reserve)
+    task_.battery.capacity = std::min(task_.battery.capacity, battery.capacity);
   if (!vehicle_) return false;
   if (vehicle_->on_ground()) return review_ground();
   return review_flight();
@@ -264,15 +296,21 @@ bool PlanKeeper::on_robot(const RobotView& robot) {
   return true;
 }
 
-/// Consumption so far against what was predicted for the way so far. A sudden loss teaches nothing.
-void PlanKeeper::learn_aloft(const FlightCost& left) {
+/// Energy that is gone at once is no consumption: nothing is learnt from it.
+void PlanKeeper::forget_loss(const BatteryView& before, const BatteryView& now) {
+  if (!vehicle_ || vehicle_->on_ground() || take_off_energy_ <= 0.0) return;
+  const double predicted =
+      (now.time_s - before.time_s) * model().power(vehicle_->velocity_mps, vehicle_->position_m.z());
+  const double drop = before.energy - now.energy;
+  if (drop > predicted * kMostBias + kLossShare * task_.battery.capacity)
+    take_off_energy_ -= drop - predicted * bias_;
+}
+
+/// Consumption so far against what was predicted for the way so far; nothing before there is enough of it.
+std::optional<double> PlanKeeper::ratio_aloft(const FlightCost& left) const {
   const double predicted = take_off_cost_.energy - left.energy;
-  if (take_off_energy_ <= 0.0 || predicted < kLeastShareAloft * task_.battery.capacity) {
-    bias_ = std::min(bias_ + kBiasStep, kMostBias);
-    return;
-  }
-  const double ratio = (take_off_energy_ - energy_now()) / predicted;
-  if (ratio < kLossRatio) bias_ = std::clamp(std::max(bias_, ratio), 1.0, kMostBias);
+  if (take_off_energy_ <= 0.0 || predicted < kLeastShareAloft * task_.battery.capacity) return std::nullopt;
+  return std::clamp((take_off_energy_ - energy_now()) / predicted, 1.0, kMostBias);
 }
 
 /// In flight: does the energy reach the next landing?
@@ -281,8 +319,11 @@ bool PlanKeeper::review_flight() {
   const auto cost = to_next_landing();
   if (!cost) return false;
   double slack = energy_now() - cost->energy * bias_ - task_.battery.reserve;
-  if (slack >= cost->energy * params_.trigger_margin) return false;
-  learn_aloft(*cost);
+  // As consumption has been since the take-off, or as it is known to be with something to spare.
+  const std::optional<double> ratio = ratio_aloft(*cost);
+  const bool holds = !ratio || energy_now() - cost->energy * *ratio >= task_.battery.reserve;
+  if (holds && slack >= cost->energy * params_.trigger_margin + landing_spare()) return false;
+  bias_ = ratio ? std::max(bias_, *ratio) : std::min(bias_ + kBiasStep, kMostBias);
   slack = energy_now() - cost->energy * bias_ - task_.battery.reserve;
   if (solved_slack_ && slack >= *solved_slack_ - kWorseShare * task_.battery.capacity) return false;
   const bool changed = solve_in_flight("energy " + std::to_string(std::lround(energy_now())) +
@@ -317,8 +358,7 @@ bool PlanKeeper::review_ground() {
   if (bias_is_due_ && battery_ && battery_->time_s >= landed_since_s_) {
     bias_is_due_ = false;
     const double used = take_off_energy_ - battery_->energy;
-    if (take_off_energy_ > 0.0 && take_off_cost_.energy > kLeastShare * task_.battery.capacity &&
-        used < kLossRatio * take_off_cost_.energy) {
+    if (take_off_energy_ > 0.0 && take_off_cost_.energy > kLeastShare * task_.battery.capacity) {
       bias_ = std::clamp(0.5 * (bias_ + used / take_off_cost_.energy), 1.0, kMostBias);
     }
     take_off_energy_ = -1.0;

@@ -29,6 +29,7 @@ struct AircraftView {
 struct BatteryView {
   double time_s = 0.0;
   double energy = 0.0;
+  double capacity = 0.0;  ///< what it holds when full, where it says so; 0: as the task says
 };
 
 struct RobotView {
@@ -94,6 +95,7 @@ class PlanKeeper {
   std::size_t committed_legs() const;
   std::optional<FlightCost> to_next_landing() const;
   RestParams rest_params() const;
+  double landing_spare() const;
 
   void follow_progress(const AircraftView& vehicle);
   void finish_leg(std::size_t leg);
@@ -101,7 +103,9 @@ class PlanKeeper {
   void pass_meeting(const Vec3& from_m);
   bool may_retry();
   bool review_flight();
-  void learn_aloft(const FlightCost& left);
+  void forget_loss(const BatteryView& before, const BatteryView& now);
+  std::optional<double> ratio_aloft(const FlightCost& left) const;
+  bool review_wait();
   bool review_ground();
   bool review_gaps();
   bool solve_in_flight(const std::string& reason);
@@ -135,6 +139,7 @@ class PlanKeeper {
   double unflown_m_ = 0.0;
   std::string given_up_;  ///< not told yet
   double landed_since_s_ = 0.0;
+  bool told_overdue_ = false;  ///< in this stay on the ground
   double last_shift_s_ = -1e9;
   double retry_s_ = -1e9;  ///< a solution that failed is not tried again before
   bool has_flown_ = false;

@@ -23,6 +23,7 @@ RestParams PlanKeeper::rest_params() const {
   out.stops = stop_params(task_, params_.planning);
   out.stops.energy_factor = std::max(out.stops.energy_factor, bias_ + kBiasAllowance);
   out.stops.air_factor = bias_ + kAloftAllowance;
+  out.stops.spare += landing_spare();
   out.schedules = params_.resolve_schedules;
   if (params_.planning.clock != nullptr) {
     out.stop.clock = params_.planning.clock;
@@ -85,7 +86,11 @@ Leg PlanKeeper::point_leg(const Vec3& at_m) {
 Vec3 PlanKeeper::point_ahead() const {
   Vec3 way = vehicle_->velocity_mps;
   way.z() = 0.0;
-  return vehicle_->position_m + way * params_.reaction_s;
+  Vec3 out = vehicle_->position_m + way * params_.reaction_s;
+  // Just off the ground there is no place to fly to but above.
+  out.z() = std::max(
+      out.z(), terrain_.height_at(out.x(), out.y()) + 1.5 * task_.vehicle.clearance_m() + kAboveGround_m);
+  return out;
 }
 
 void PlanKeeper::adopt(RestPlan rest, const std::string& reason) {
@@ -114,7 +119,9 @@ bool PlanKeeper::solve_in_flight(const std::string& reason) {
   Rest whole{unflown_legs(committed), committed};
   if (whole.legs.empty()) return false;
   const ScheduleStart start = start_in_air();
-  const RestParams params = rest_params();
+  RestParams params = rest_params();
+  // Landing early costs little, landing late the reserve.
+  params.stops.battery.reserve += landing_spare();
   const Leg current = covering ? plan_.legs[now] : Leg{};
   if (covering) whole.legs.front().entry_m = start.position_m;
   // First: what is under way is finished, then it lands where it does best.
@@ -301,7 +308,8 @@ bool PlanKeeper::top_up_charge() {
       has_next ? plan_.rendezvous[1].energy_from
                : plan_.legs.back().energy_after - model().landing(plan_.legs.back().exit_m).energy;
   // The sortie's consumption stays as predicted: both its ends are raised together.
-  const double needs = task_.battery.reserve + (meeting.charge_to - lands_with) * (bias_ + kBiasAllowance);
+  const double needs =
+      task_.battery.reserve + landing_spare() + (meeting.charge_to - lands_with) * (bias_ + kBiasAllowance);
   if (needs <= meeting.charge_to + 1.0) return false;
   if (needs > task_.battery.capacity)
     return may_retry() && solve_docked("consumption is higher than predicted");

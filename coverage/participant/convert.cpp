@@ -122,7 +122,7 @@ AircraftView to_view(const data::VehicleState& state) {
           to_mode(state.mode), state.leg_index,        state.legs_done};
 }
 
-BatteryView to_view(const data::BatteryState& state) { return {state.time_s, state.energy}; }
+BatteryView to_view(const data::BatteryState& state) { return {state.time_s, state.energy, state.capacity}; }
 
 RobotView to_view(const data::ChargerState& state) {
   return {state.time_s, to_vec(state.position), state.docked_vehicle_id != 0,
