@@ -1,0 +1,296 @@
+#include "tests/mission/random_mission.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <memory>
+#include <numbers>
+
+#include "charger/participant/charger_participant.hpp"
+#include "coverage/participant/coverage_participant.hpp"
+#include "planner/base/rng.hpp"
+#include "planner/participant/planner_participant.hpp"
+#include "qos/memory/bus.hpp"
+#include "tools/sim/sim_participant.hpp"
+
+namespace swallowtail::mission {
+namespace {
+
+constexpr double kTick_s = 0.01;       // wall time
+constexpr double kLongest_s = 8000.0;  // mission time
+constexpr double kForever_s = 1e6;
+constexpr double kReaction_s = 0.4;  // wall time until the aircraft flies a changed plan
+
+/// Star-shaped around its centre, concave as a rule, sometimes with a hole.
+coverage::Polygon random_field(Rng& rng, const Vec2& centre, double radius_m) {
+  coverage::Polygon out;
+  const int corners = 4 + static_cast<int>(rng.below(7));
+  for (int i = 0; i < corners; ++i) {
+    const double angle = 2.0 * std::numbers::pi * (i + 0.6 * rng.uniform()) / corners;
+    out.outline.push_back(centre + radius_m * rng.uniform(0.6, 1.0) * Vec2(std::cos(angle), std::sin(angle)));
+  }
+  if (rng.uniform() < 0.4) {
+    coverage::Ring hole;
+    const int sides = 3 + static_cast<int>(rng.below(4));
+    for (int i = 0; i < sides; ++i) {
+      const double angle = 2.0 * std::numbers::pi * i / sides;
+      hole.push_back(centre + 0.2 * radius_m * Vec2(std::cos(angle), std::sin(angle)));
+    }
+    out.holes.push_back(hole);
+  }
+  return out;
+}
+
+nlohmann::json ring_json(coverage::Ring ring) {
+  ring.push_back(ring.front());
+  nlohmann::json out = nlohmann::json::array();
+  for (const Vec2& p : ring) out.push_back({p.x(), p.y()});
+  return out;
+}
+
+void write_fields(const std::vector<coverage::Polygon>& fields, const std::string& file) {
+  nlohmann::json features = nlohmann::json::array();
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    nlohmann::json rings = nlohmann::json::array({ring_json(fields[i].outline)});
+    for (const coverage::Ring& hole : fields[i].holes) rings.push_back(ring_json(hole));
+    features.push_back({{"type", "Feature"},
+                        {"properties", {{"id", "f" + std::to_string(i)}, {"crs", "local metres"}}},
+                        {"geometry", {{"type", "Polygon"}, {"coordinates", rings}}}});
+  }
+  std::ofstream(file) << nlohmann::json{{"type", "FeatureCollection"}, {"features", features}};
+}
+
+void draw_task(Rng& rng, RandomMission& mission) {
+  planner::Scenario& scenario = mission.scenario;
+  scenario.name = "random " + std::to_string(mission.seed);
+  scenario.bounds = {Vec3(-200.0, -200.0, -1.0), Vec3(400.0, 250.0, 60.0)};
+  const int fields = rng.uniform() < 0.25 ? 2 : 1;
+  for (int f = 0; f < fields; ++f) {
+    const Vec2 centre(150.0 * f + rng.uniform(-20.0, 20.0), rng.uniform(-20.0, 20.0));
+    mission.fields.push_back(random_field(rng, centre, rng.uniform(35.0, 70.0)));
+  }
+  auto& limits = scenario.vehicle.limits;
+  limits.cruise_speed_mps = rng.uniform(5.0, 10.0);
+  limits.climb_speed_mps = rng.uniform(2.0, 4.0);
+  limits.descent_speed_mps = rng.uniform(1.5, 3.5);
+  planner::CoverageSpec& spec = scenario.coverage.emplace();
+  spec.sensor_width_m = rng.uniform(9.0, 20.0);
+  spec.heights.default_m = rng.uniform(6.0, 30.0);
+  spec.battery.capacity = rng.uniform(80.0, 220.0);
+  spec.battery.reserve = rng.uniform(0.06, 0.15) * spec.battery.capacity;
+  spec.battery.charge_s_per_unit = rng.uniform(0.1, 0.6);
+  spec.charger.speed_mps = rng.uniform(1.5, 4.0);
+  spec.charger.start_m = Vec2(rng.uniform(-110.0, -70.0), rng.uniform(-80.0, 80.0));
+  mission.rate = rng.uniform() < 0.5 ? 5.0 : 15.0;
+}
+
+void draw_battery_faults(Rng& rng, RandomMission& mission) {
+  planner::Scenario& scenario = mission.scenario;
+  const double kind = rng.uniform();
+  if (kind < 0.5) {
+    mission.consumption = rng.uniform(0.92, 1.06);
+  } else if (kind < 0.8) {
+    mission.consumption = rng.uniform(1.06, 1.25);
+  } else if (kind < 0.9) {
+    mission.consumption = rng.uniform(1.25, 1.6);
+  }
+  if (rng.uniform() < 0.25) mission.capacity_share = rng.uniform(0.7, 1.0);
+  scenario.battery_noise = rng.uniform(0.0, 0.08);
+  if (rng.uniform() < 0.5) {
+    scenario.wind = {rng.uniform(0.0, 3.0), rng.uniform(0.0, 2.0 * std::numbers::pi), rng.uniform(0.0, 1.5)};
+  }
+  for (double time_s = 0.0; rng.uniform() < 0.3;) {
+    time_s += rng.uniform(10.0, 250.0);
+    const double loss = rng.uniform(0.05, 0.5) * scenario.coverage->battery.capacity;
+    scenario.events.push_back({time_s, planner::BatteryLoss{loss}});
+    mission.faults += "loss of " + std::to_string(loss) + " at " + std::to_string(time_s) + " s; ";
+  }
+  mission.faults += "consumption " + std::to_string(mission.consumption) + "; capacity " +
+                    std::to_string(mission.capacity_share) + "; ";
+}
+
+void draw_robot_faults(Rng& rng, RandomMission& mission) {
+  const double kind = rng.uniform();
+  const double from_s = rng.uniform(5.0, 400.0);
+  if (kind < 0.4) return;
+  if (kind < 0.55) {
+    mission.delays.push_back({from_s, rng.uniform(10.0, 300.0)});
+    mission.faults += "robot stands still; ";
+  } else if (kind < 0.65) {
+    const double stands_s = rng.uniform(1.0, 4.0);
+    for (double t = 0.0; t < kLongest_s; t += 6.0) mission.delays.push_back({t, stands_s});
+    mission.faults += "robot slow; ";
+  } else if (kind < 0.8) {
+    mission.silences.push_back({from_s, from_s + rng.uniform(10.0, 300.0)});
+    mission.faults += "robot lost for a while; ";
+  } else if (kind < 0.9) {
+    mission.delays.push_back({from_s, kForever_s});
+    mission.robot_dies_s = from_s;
+    mission.faults += "robot stands still for good from " + std::to_string(from_s) + " s; ";
+  } else {
+    mission.silences.push_back({from_s, kForever_s});
+    mission.robot_dies_s = from_s;
+    mission.faults += "robot lost for good from " + std::to_string(from_s) + " s; ";
+  }
+}
+
+class ClosedLoop {
+ public:
+  explicit ClosedLoop(const RandomMission& mission) : mission_(mission) { watch(); }
+
+  MissionEnd run() {
+    const auto charger_bus = network_.make_bus();
+    const auto coverage_bus = network_.make_bus();
+    const auto planner_bus = network_.make_bus();
+    const auto sim_bus = network_.make_bus();
+    const auto charger =
+        charger::ChargerParticipant::make(*charger_bus, clock_, {.charger_id = 1, .delays = mission_.delays})
+            .value();
+    const auto coverage = coverage::CoverageParticipant::make(*coverage_bus, clock_, {}).value();
+    const auto planner = planner::PlannerParticipant::make(*planner_bus, clock_, {}).value();
+    auto made = sim::SimParticipant::make(*sim_bus, clock_, mission_.scenario,
+                                          {.rate = mission_.rate,
+                                           .await = {1, 2, 3},
+                                           .await_limit_s = 5.0,
+                                           .max_time_s = kLongest_s,
+                                           .seed = mission_.seed,
+                                           .consumption = mission_.consumption,
+                                           .capacity_share = mission_.capacity_share});
+    const auto sim = std::move(made).value();
+    for (bool more = true; more;) {
+      clock_.advance(kTick_s);
+      const auto stepped = sim->step();
+      more = stepped.ok() && *stepped;
+      judge_reserve(sim->simulation());
+      if (!is_silent()) (void)charger->step();
+      (void)coverage->step();
+      (void)planner->step();
+      (void)planner->beat();
+    }
+    end_.summary = nlohmann::json::parse(sim->summary());
+    return std::move(end_);
+  }
+
+ private:
+  void watch() {
+    (void)bus_->subscribe<data::CoveragePlan>({.on_sample = [this](const data::CoveragePlan& plan) {
+      end_.plan = plan;
+      end_.reasons.push_back(plan.reason);
+    }});
+    (void)bus_->subscribe<data::ParticipantStatus>({.on_sample = [this](const data::ParticipantStatus& s) {
+      if (s.participant_id == data::kCoverageId) end_.health = s.message;
+    }});
+  }
+
+  /// What going straight down from here takes once the loss is known: until the next battery sample, until
+  /// the change reaches the aircraft, to stop, and down; at the truest power, in the worst wind.
+  double to_come_down(const planner::Scenario& scenario, double height_m) const {
+    const double power = mission_.consumption * (1.0 + 2.5 * scenario.battery_noise +
+                                                 (scenario.wind.speed_mps + scenario.wind.gust_mps) /
+                                                     scenario.vehicle.limits.cruise_speed_mps);
+    const double known_s = 1.0 + 2.0 * kReaction_s * mission_.rate;
+    return power * (known_s + 1.0 + height_m / scenario.vehicle.limits.descent_speed_mps);
+  }
+
+  void judge_reserve(const sim::Simulation& simulation) {
+    const planner::Scenario& scenario = mission_.scenario;
+    const double reserve = scenario.coverage->battery.reserve;
+    const double energy = simulation.battery()->energy();
+    const bool aloft = !simulation.motion().on_ground();
+    time_s_ = simulation.time_s();
+    if (!aloft) {
+      breached_ = false;
+      doomed_ = false;
+    }
+    while (losses_ < scenario.events.size() && scenario.events[losses_].at_s <= time_s_) {
+      ++losses_;
+      if (aloft && energy - to_come_down(scenario, simulation.motion().position_m.z()) < reserve)
+        doomed_ = true;
+    }
+    if (!aloft || breached_ || energy >= reserve) return;
+    breached_ = true;
+    end_.breaches.push_back({time_s_, energy, doomed_});
+  }
+
+  bool is_silent() const {
+    return std::any_of(mission_.silences.begin(), mission_.silences.end(),
+                       [this](const Silence& s) { return time_s_ >= s.from_s && time_s_ < s.to_s; });
+  }
+
+  const RandomMission& mission_;
+  ManualClock clock_;
+  MemoryNetwork network_;
+  const std::unique_ptr<Bus> bus_ = network_.make_bus();
+  MissionEnd end_;
+  double time_s_ = 0.0;
+  std::size_t losses_ = 0;
+  bool breached_ = false;  ///< in this flight
+  bool doomed_ = false;
+};
+
+/// Crossings of a ray to the east.
+bool within(const coverage::Ring& ring, const Vec2& p) {
+  bool inside = false;
+  for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
+    if ((ring[i].y() > p.y()) == (ring[j].y() > p.y())) continue;
+    const double share = (p.y() - ring[i].y()) / (ring[j].y() - ring[i].y());
+    if (p.x() < ring[i].x() + share * (ring[j].x() - ring[i].x())) inside = !inside;
+  }
+  return inside;
+}
+
+bool under(const data::Leg& leg, double half_width_m, const Vec2& p) {
+  const Vec2 entry(leg.entry.x_m, leg.entry.y_m);
+  const Vec2 way = Vec2(leg.exit.x_m, leg.exit.y_m) - entry;
+  const double length = way.norm();
+  if (leg.kind != data::LegKind::kCover || length < 1e-9) return false;
+  const Vec2 off = p - entry;
+  const double along = off.dot(way) / length;
+  const double across = (off.x() * way.y() - off.y() * way.x()) / length;
+  return along >= 0.0 && along <= length && std::abs(across) <= half_width_m;
+}
+
+}  // namespace
+
+RandomMission random_mission(std::uint64_t seed, const std::string& folder) {
+  RandomMission mission;
+  mission.seed = seed;
+  Rng rng(seed);
+  draw_task(rng, mission);
+  draw_battery_faults(rng, mission);
+  draw_robot_faults(rng, mission);
+  std::filesystem::create_directories(folder);
+  mission.scenario.coverage->fields_file = folder + "/" + std::to_string(seed) + ".geojson";
+  write_fields(mission.fields, mission.scenario.coverage->fields_file);
+  return mission;
+}
+
+MissionEnd fly(const RandomMission& mission) { return ClosedLoop(mission).run(); }
+
+double claimed_percent(const RandomMission& mission, const data::CoveragePlan& plan, std::size_t legs_done) {
+  const double half_width_m = 0.5 * mission.scenario.coverage->sensor_width_m;
+  std::size_t inside = 0;
+  std::size_t seen = 0;
+  for (const coverage::Polygon& field : mission.fields) {
+    for (double x = -199.5; x < 400.0; x += 1.0) {
+      for (double y = -199.5; y < 250.0; y += 1.0) {
+        const Vec2 p(x, y);
+        if (!within(field.outline, p)) continue;
+        if (std::any_of(field.holes.begin(), field.holes.end(),
+                        [&](const coverage::Ring& hole) { return within(hole, p); }))
+          continue;
+        ++inside;
+        for (std::size_t i = 0; i < std::min(legs_done, plan.legs.size()); ++i) {
+          if (!under(plan.legs[i], half_width_m, p)) continue;
+          ++seen;
+          break;
+        }
+      }
+    }
+  }
+  return inside == 0 ? 0.0 : 100.0 * static_cast<double>(seen) / static_cast<double>(inside);
+}
+
+}  // namespace swallowtail::mission

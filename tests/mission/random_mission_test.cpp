@@ -1,0 +1,84 @@
+// Random fields, batteries, winds and robots, flown in the closed loop. Every mission keeps its reserve, and
+// ends completed or says why it did not.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "tests/mission/random_mission.hpp"
+
+namespace swallowtail::mission {
+namespace {
+
+constexpr double kCompletePercent = 99.5;
+constexpr double kClaimTolerance = 0.5;  // percent
+
+/// 20 in the quick suite; SWALLOWTAIL_MISSIONS says how many else, SWALLOWTAIL_FIRST_MISSION from which seed.
+std::uint64_t number_of(const char* variable, std::uint64_t otherwise) {
+  const char* text = std::getenv(variable);
+  return text != nullptr ? std::strtoull(text, nullptr, 10) : otherwise;
+}
+
+bool says(const MissionEnd& end, const std::string& word) {
+  return end.plan.reason.find(word) != std::string::npos || end.health.find(word) != std::string::npos;
+}
+
+/// The reserve is broken where a loss left no choice only, and the plan has said that the energy is short, or
+/// there was none left to say it.
+void check_reserve(const MissionEnd& end) {
+  const std::string status = end.summary["status"];
+  for (const Breach& breach : end.breaches) {
+    EXPECT_TRUE(breach.unavoidable) << "below the reserve at " << breach.time_s << " s: " << breach.energy;
+    const bool said = std::any_of(end.reasons.begin(), end.reasons.end(), [](const std::string& reason) {
+      return reason.find("energy") != std::string::npos;
+    });
+    EXPECT_TRUE(said || status.find("ran out") != std::string::npos);
+  }
+}
+
+/// A mission that did not complete says what hindered it, and that did happen.
+void check_reason(const RandomMission& mission, const MissionEnd& end) {
+  const std::string status = end.summary["status"];
+  const double ended_s = end.summary["time_s"];
+  if (status.find("ran out") != std::string::npos) {
+    EXPECT_TRUE(!end.breaches.empty() && end.breaches.back().unavoidable) << status;
+    return;
+  }
+  if (says(end, "robot")) {
+    EXPECT_TRUE(mission.robot_dies_s && *mission.robot_dies_s < ended_s) << "the robot is well: " << status;
+    return;
+  }
+  EXPECT_TRUE(says(end, "energy") || says(end, "battery")) << "no reason: " << status;
+}
+
+TEST(RandomMission, KeepsItsReserveAndEndsCompletedOrWithATrueReason) {
+  const std::uint64_t first = number_of("SWALLOWTAIL_FIRST_MISSION", 1);
+  const std::uint64_t missions = number_of("SWALLOWTAIL_MISSIONS", 20);
+  std::uint64_t completed = 0;
+  std::uint64_t doomed = 0;
+  for (std::uint64_t seed = first; seed < first + missions; ++seed) {
+    const RandomMission mission = random_mission(seed, testing::TempDir() + "swallowtail_random_missions");
+    const MissionEnd end = fly(mission);
+    SCOPED_TRACE("SWALLOWTAIL_FIRST_MISSION=" + std::to_string(seed) + " " + mission.faults +
+                 end.summary.dump() + " plan: " + end.plan.reason + "; coverage: " + end.health);
+    check_reserve(end);
+    doomed += end.breaches.empty() ? 0 : 1;
+    const double covered = end.summary["covered_percent"];
+    const std::size_t legs_done = end.summary["legs_done"];
+    EXPECT_GE(covered, claimed_percent(mission, end.plan, legs_done) - kClaimTolerance);
+    EXPECT_EQ(end.summary["collisions"], 0);
+    if (end.summary["completed"].get<bool>()) {
+      ++completed;
+      EXPECT_GE(covered, kCompletePercent);
+      EXPECT_EQ(end.summary["legs_done"], end.summary["legs_total"]);
+    } else {
+      check_reason(mission, end);
+    }
+  }
+  RecordProperty("completed", static_cast<int>(completed));
+  RecordProperty("below_reserve_unavoidably", static_cast<int>(doomed));
+  EXPECT_GT(completed, missions / 2);
+}
+
+}  // namespace
+}  // namespace swallowtail::mission
