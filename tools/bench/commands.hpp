@@ -12,5 +12,6 @@ void add_plan(CLI::App& app, cli::Exit& exit);
 void add_scene(CLI::App& app, cli::Exit& exit);
 void add_seeds(CLI::App& app, cli::Exit& exit);
 void add_gtsp(CLI::App& app, cli::Exit& exit);
+void add_cover(CLI::App& app, cli::Exit& exit);
 
 }  // namespace swallowtail::bench

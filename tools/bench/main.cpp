@@ -12,5 +12,6 @@ int main(int argc, char** argv) {
   swallowtail::bench::add_scene(app, exit);
   swallowtail::bench::add_seeds(app, exit);
   swallowtail::bench::add_gtsp(app, exit);
+  swallowtail::bench::add_cover(app, exit);
   return swallowtail::cli::run(app, exit, argc, argv);
 }
