@@ -18,6 +18,7 @@ using Json = nlohmann::ordered_json;
 
 /// Sums over all tasks.
 struct Totals {
+  double alone_s = 0.0;
   double cost = 0.0;
   double makespan_s = 0.0;
   double flight_m = 0.0;
@@ -34,19 +35,26 @@ struct Totals {
 
 Totals totals_of(const std::vector<Covered>& done) {
   Totals out;
+  double before_s = 0.0;  // of the tasks before; the aircraft of one fly at once
+  double before_cost = 0.0;
   for (const Covered& one : done) {
     if (!one.plan) continue;
     const coverage::Plan& plan = *one.plan;
-    out.cost += plan.cost;
-    out.makespan_s += plan.makespan_s;
+    if (one.aircraft <= 1) {
+      before_s = out.makespan_s;
+      before_cost = out.cost;
+      out.area_m2 += plan.area_m2;
+      out.covered_m2 += plan.area_m2 * plan.covered_percent / 100.0;
+      out.vertices += plan.statistics.vertices;
+      out.edges += plan.statistics.edges;
+      out.alone_s += one.alone_s;
+    }
+    out.cost = std::max(out.cost, before_cost + plan.cost);
+    out.makespan_s = std::max(out.makespan_s, before_s + plan.makespan_s);
     out.flight_m += plan.flight_m;
     out.wait_s += plan.wait_s;
-    out.area_m2 += plan.area_m2;
-    out.covered_m2 += plan.area_m2 * plan.covered_percent / 100.0;
     if (!plan.legs.empty()) out.energy_min = std::min(out.energy_min, plan.energy_min);
     out.recharges += plan.recharges;
-    out.vertices += plan.statistics.vertices;
-    out.edges += plan.statistics.edges;
     out.legs += plan.legs.size();
     out.full_graph_gap_percent = std::max(out.full_graph_gap_percent, plan.statistics.full_graph_gap_percent);
   }
@@ -116,36 +124,83 @@ Json origin_json(const coverage::Task& task) {
           {"elevation_m", task.origin->elevation_m}};
 }
 
-Json leg_json(const coverage::Leg& leg, std::size_t task) {
-  return {{"task", task},
-          {"field", leg.field_id},
-          {"sub_cell", leg.sub_cell_id},
-          {"kind", leg.kind == coverage::LegKind::kCover ? "cover" : "reposition"},
-          {"from_m", to_json(leg.entry_m)},
-          {"to_m", to_json(leg.exit_m)},
-          {"height_m", leg.height_m},
-          {"width_m", leg.width_m},
-          {"transfer", coverage::name_of(leg.transfer)},
-          {"transfer_m", places_json(leg.transfer_m)},
-          {"energy_before", leg.energy_before},
-          {"energy_after", leg.energy_after},
-          {"start_s", leg.start_s},
-          {"end_s", leg.end_s}};
+/// Whose something is.
+struct Part {
+  std::size_t task = 0;
+  int aircraft = 0;
+  Json json() const {
+    Json out = {{"task", task}};
+    if (aircraft > 0) out["aircraft"] = aircraft;
+    return out;
+  }
+};
+
+/// Of each entry of `done`: aircraft of one task follow each other.
+std::vector<Part> parts_of(const std::vector<Covered>& done) {
+  std::vector<Part> out;
+  std::size_t task = 0;
+  for (const Covered& one : done) {
+    if (one.aircraft <= 1 && !out.empty()) ++task;
+    out.push_back({task, one.aircraft});
+  }
+  return out;
 }
 
-Json rendezvous_json(const coverage::Rendezvous& meeting, std::size_t task) {
-  Json out = {{"task", task},
-              {"id", meeting.id},
-              {"site_m", to_json(meeting.site_m)},
-              {"arrive_s", meeting.robot_arrives_s},
-              {"land_s", meeting.land_s},
-              {"depart_s", meeting.depart_s},
-              {"charge", meeting.charge_to - meeting.energy_from},
-              {"charge_to", meeting.charge_to},
-              {"wait_s", meeting.wait_s},
-              {"carry", meeting.carry}};
+Json aircraft_json(const Covered& one, const Part& part) {
+  Json out = part.json();
+  out["vehicle"] = one.task->vehicle_id;
+  out["charger"] = one.task->charger.id;
+  out["start_m"] = to_json(one.task->start_m);
+  out["charger_start_m"] = to_json(one.task->charger.start_m);
+  out["take_off_s"] = one.plan->take_off_s;
+  out["makespan_s"] = one.plan->makespan_s;
+  out["delay_s"] = one.delay_s;
+  out["sub_cells"] = one.plan->sub_cells.size();
+  out["flight_m"] = one.plan->flight_m;
+  out["recharges"] = one.plan->recharges;
+  return out;
+}
+
+Json leg_json(const coverage::Leg& leg, const Part& part) {
+  Json out = part.json();
+  out.update(Json({{"field", leg.field_id},
+                   {"sub_cell", leg.sub_cell_id},
+                   {"kind", leg.kind == coverage::LegKind::kCover ? "cover" : "reposition"},
+                   {"from_m", to_json(leg.entry_m)},
+                   {"to_m", to_json(leg.exit_m)},
+                   {"height_m", leg.height_m},
+                   {"width_m", leg.width_m},
+                   {"transfer", coverage::name_of(leg.transfer)},
+                   {"transfer_m", places_json(leg.transfer_m)},
+                   {"energy_before", leg.energy_before},
+                   {"energy_after", leg.energy_after},
+                   {"start_s", leg.start_s},
+                   {"end_s", leg.end_s}}));
+  return out;
+}
+
+Json rendezvous_json(const coverage::Rendezvous& meeting, const Part& part) {
+  Json out = part.json();
+  out.update(Json({{"id", meeting.id},
+                   {"site_m", to_json(meeting.site_m)},
+                   {"arrive_s", meeting.robot_arrives_s},
+                   {"land_s", meeting.land_s},
+                   {"depart_s", meeting.depart_s},
+                   {"charge", meeting.charge_to - meeting.energy_from},
+                   {"charge_to", meeting.charge_to},
+                   {"wait_s", meeting.wait_s},
+                   {"carry", meeting.carry}}));
   if (meeting.carry) out["carry_to_m"] = to_json(meeting.carry_to_m);
   return out;
+}
+
+/// Of the task's fields.
+void add_reports(const Covered& one, Json& out) {
+  for (const auto& field : one.plan->fields) {
+    out["fields"].push_back(field_json(field, *one.task));
+    if (out["reason"] == "" && field.status == coverage::FieldStatus::kRefused) out["reason"] = field.reason;
+  }
+  for (const std::string& note : one.plan->notes) out["notes"].push_back(note);
 }
 
 Json document(const CoverJob& job, const std::vector<Covered>& done, CoverStatus status, double wall_s) {
@@ -154,36 +209,39 @@ Json document(const CoverJob& job, const std::vector<Covered>& done, CoverStatus
   out["scenario"] = job.name;
   out["status"] = name(status);
   out["reason"] = "";
-  out["tasks"] = done.size();
+  const std::vector<Part> parts = parts_of(done);
+  out["tasks"] = done.empty() ? 0 : parts.back().task + 1;
   out["origins"] = Json::array();
   out["approaches_m"] = Json::array();
   out["fields"] = Json::array();
   out["notes"] = Json::array();
   Json legs = Json::array();
   Json meetings = Json::array();
-  for (std::size_t task = 0; task < done.size(); ++task) {
-    const Covered& one = done[task];
-    out["origins"].push_back(origin_json(*one.task));
+  Json aircraft = Json::array();
+  for (std::size_t at = 0; at < done.size(); ++at) {
+    const Covered& one = done[at];
+    if (one.aircraft <= 1) out["origins"].push_back(origin_json(*one.task));
     if (!one.plan) {
       if (out["reason"] == "") out["reason"] = one.reason;
-      for (std::size_t at = 0; at < one.task->fields.size(); ++at)
-        out["fields"].push_back(unplanned_json(one, at));
+      for (std::size_t field = 0; field < one.task->fields.size(); ++field)
+        out["fields"].push_back(unplanned_json(one, field));
       continue;
     }
-    for (const auto& field : one.plan->fields) {
-      out["fields"].push_back(field_json(field, *one.task));
-      if (out["reason"] == "" && field.status == coverage::FieldStatus::kRefused)
-        out["reason"] = field.reason;
-    }
-    for (const std::string& note : one.plan->notes) out["notes"].push_back(note);
-    for (const auto& leg : one.plan->legs) legs.push_back(leg_json(leg, task));
-    for (const auto& meeting : one.plan->rendezvous) meetings.push_back(rendezvous_json(meeting, task));
+    if (one.aircraft <= 1) add_reports(one, out);
+    if (one.aircraft > 0) aircraft.push_back(aircraft_json(one, parts[at]));
+    for (const auto& leg : one.plan->legs) legs.push_back(leg_json(leg, parts[at]));
+    for (const auto& meeting : one.plan->rendezvous) meetings.push_back(rendezvous_json(meeting, parts[at]));
     out["approaches_m"].push_back(places_json(approach_of(one)));
   }
   const bool has_plan = totals.legs > 0;
   out["covered_percent"] = totals.area_m2 > 0.0 ? 100.0 * totals.covered_m2 / totals.area_m2 : 0.0;
   out["cost"] = has_plan ? Json(totals.cost) : Json(nullptr);
   out["makespan_s"] = totals.makespan_s;
+  if (!aircraft.empty()) {
+    out["alone_s"] = totals.alone_s;
+    out["gain_percent"] = 100.0 * (1.0 - totals.makespan_s / totals.alone_s);
+    out["aircraft"] = std::move(aircraft);
+  }
   out["flight_m"] = totals.flight_m;
   out["recharges"] = totals.recharges;
   out["wait_s"] = totals.wait_s;
@@ -196,6 +254,18 @@ Json document(const CoverJob& job, const std::vector<Covered>& done, CoverStatus
   out["energy_min"] = has_plan ? Json(totals.energy_min) : Json(nullptr);
   out["wall_s"] = wall_s;
   return out;
+}
+
+std::string aircraft_table(const Json& json) {
+  std::string out;
+  for (const Json& one : json["aircraft"]) {
+    out += fmt::format(
+        "  aircraft {:<3}{:.1f} s, {} sub-cells, {:.1f} m, {} recharges, {:.1f} s waiting for the others\n",
+        one["aircraft"].get<int>(), one["makespan_s"].get<double>(), one["sub_cells"].get<std::size_t>(),
+        one["flight_m"].get<double>(), one["recharges"].get<int>(), one["delay_s"].get<double>());
+  }
+  return out + fmt::format("  alone       {:.1f} s with one aircraft: {:.1f} % less\n",
+                           json["alone_s"].get<double>(), json["gain_percent"].get<double>());
 }
 
 std::string table_of(const CoverJob& job, const Json& json) {
@@ -218,6 +288,7 @@ std::string table_of(const CoverJob& job, const Json& json) {
       "for the robot\n  flight      {:.1f} m in {} legs\n",
       json["covered_percent"].get<double>(), json["makespan_s"].get<double>(), json["recharges"].get<int>(),
       json["wait_s"].get<double>(), json["flight_m"].get<double>(), json["legs"].size());
+  if (json.contains("aircraft")) out += aircraft_table(json);
   out += fmt::format(
       "  energy      {:.2f} left at the lowest landing\n  graph       {} vertices, {} edges\n  time        "
       "{:.2f} s\n",
@@ -229,7 +300,7 @@ std::string table_of(const CoverJob& job, const Json& json) {
 std::string legs_csv(const Json& json) {
   std::string out =
       "task,field,sub_cell,kind,from_x_m,from_y_m,from_z_m,to_x_m,to_y_m,to_z_m,height_m,transfer,energy_"
-      "before,energy_after,start_s,end_s,bends_m\n";
+      "before,energy_after,start_s,end_s,bends_m,aircraft\n";
   for (const Json& leg : json["legs"]) {
     const auto& a = leg["from_m"];
     const auto& b = leg["to_m"];
@@ -237,12 +308,12 @@ std::string legs_csv(const Json& json) {
     for (const Json& bend : leg["transfer_m"])
       bends += fmt::format("{}{} {} {}", bends.empty() ? "" : "; ", bend[0].dump(), bend[1].dump(),
                            bend[2].dump());
-    out +=
-        fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", leg["task"].dump(),
-                    leg["field"].dump(), leg["sub_cell"].dump(), leg["kind"].get<std::string>(), a[0].dump(),
-                    a[1].dump(), a[2].dump(), b[0].dump(), b[1].dump(), b[2].dump(), leg["height_m"].dump(),
-                    leg["transfer"].get<std::string>(), leg["energy_before"].dump(),
-                    leg["energy_after"].dump(), leg["start_s"].dump(), leg["end_s"].dump(), bends);
+    out += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", leg["task"].dump(),
+                       leg["field"].dump(), leg["sub_cell"].dump(), leg["kind"].get<std::string>(),
+                       a[0].dump(), a[1].dump(), a[2].dump(), b[0].dump(), b[1].dump(), b[2].dump(),
+                       leg["height_m"].dump(), leg["transfer"].get<std::string>(),
+                       leg["energy_before"].dump(), leg["energy_after"].dump(), leg["start_s"].dump(),
+                       leg["end_s"].dump(), bends, leg.value("aircraft", 1));
   }
   return out;
 }
@@ -251,27 +322,33 @@ std::string legs_csv(const Json& json) {
 /// would lie upon each other.
 std::string plan_geojson(const std::vector<Covered>& done) {
   Json features = Json::array();
-  for (std::size_t task = 0; task < done.size(); ++task) {
-    if (!done[task].plan) continue;
-    GeoJsonWriter writer(done[task].task->origin);
-    for (const auto& leg : done[task].plan->legs) {
-      Json properties = leg_json(leg, task);
+  const std::vector<Part> parts = parts_of(done);
+  for (std::size_t at = 0; at < done.size(); ++at) {
+    if (!done[at].plan) continue;
+    const Part& part = parts[at];
+    GeoJsonWriter writer(done[at].task->origin);
+    for (const auto& leg : done[at].plan->legs) {
+      Json properties = leg_json(leg, part);
       properties.erase("from_m");
       properties.erase("to_m");
       properties.erase("transfer_m");
       writer.add_line({leg.entry_m, leg.exit_m}, std::move(properties));
     }
-    const auto& legs = done[task].plan->legs;
-    if (!legs.empty()) writer.add_line(approach_of(done[task]), {{"task", task}, {"kind", "approach"}});
-    for (std::size_t i = 0; i + 1 < legs.size(); ++i) {
-      writer.add_line(transfer_after(*done[task].plan, i),
-                      {{"task", task},
-                       {"kind", "transfer"},
-                       {"after_leg", i},
-                       {"transfer", coverage::name_of(legs[i].transfer)}});
+    const auto& legs = done[at].plan->legs;
+    if (!legs.empty()) {
+      Json properties = part.json();
+      properties["kind"] = "approach";
+      writer.add_line(approach_of(done[at]), std::move(properties));
     }
-    for (const auto& meeting : done[task].plan->rendezvous) {
-      Json properties = rendezvous_json(meeting, task);
+    for (std::size_t i = 0; i + 1 < legs.size(); ++i) {
+      Json properties = part.json();
+      properties["kind"] = "transfer";
+      properties["after_leg"] = i;
+      properties["transfer"] = coverage::name_of(legs[i].transfer);
+      writer.add_line(transfer_after(*done[at].plan, i), std::move(properties));
+    }
+    for (const auto& meeting : done[at].plan->rendezvous) {
+      Json properties = rendezvous_json(meeting, part);
       properties["kind"] = "rendezvous";
       properties.erase("site_m");
       properties.erase("carry_to_m");
@@ -335,6 +412,13 @@ Answer answer_of(const CoverJob& job, const std::vector<Covered>& done, CoverSta
     const Result<std::string> plan = cover_qgc_plan(done);
     return plan ? *plan : std::string();
   };
+  for (const Covered& one : done) {
+    if (one.aircraft == 0) continue;
+    answer.series[".plan"].push_back([&one] {
+      const Result<std::string> plan = cover_qgc_plan({one});
+      return plan ? *plan : std::string();
+    });
+  }
   return answer;
 }
 

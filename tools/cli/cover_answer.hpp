@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,13 +11,17 @@
 
 namespace swallowtail::cli {
 
-/// What became of one task.
+/// What became of one task, or of one aircraft's part of it: those of a task follow each other.
 struct Covered {
   const coverage::Task* task = nullptr;
   std::optional<coverage::Plan> plan;
   std::string reason;  ///< why there is no plan
   double wall_s = 0.0;
   std::vector<coverage::FieldReport> fields{};  ///< without a plan: how each field was cut or why refused
+  int aircraft = 0;                             ///< of several for a task, from 1 on; 0: there is one
+  double delay_s = 0.0;                         ///< waited on the ground for the others
+  double alone_s = 0.0;                         ///< the task's makespan with one aircraft
+  std::shared_ptr<const coverage::Task> own_task{};  ///< an aircraft's; `task` points to it
 };
 
 enum class CoverStatus { kCertified, kPartial, kInfeasible, kInterrupted };
@@ -26,8 +31,9 @@ const char* name(CoverStatus status);
 CoverStatus status_of(const std::vector<Covered>& done);
 
 /// The document, table and files (csv of legs, geojson of legs, transfers and rendezvous, and those of
-/// cover_files.hpp) of `cover`. Figures of several tasks are added up, least energies and percentages taken
-/// over all. The .plan is empty where cover_qgc_plan refuses. Borrows `job` and `done`.
+/// cover_files.hpp; .plan one for each of several aircraft) of `cover`. Figures of several tasks are added
+/// up, least energies and percentages taken over all. The .plan is empty where cover_qgc_plan refuses.
+/// Borrows `job` and `done`.
 Answer answer_of(const CoverJob& job, const std::vector<Covered>& done, CoverStatus status, double wall_s);
 
 }  // namespace swallowtail::cli

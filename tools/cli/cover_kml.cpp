@@ -96,7 +96,9 @@ std::string folder(const Covered& one, std::size_t number) {
                         meeting.depart_s, meeting.energy_from, meeting.charge_to),
             kml.point(meeting.site_m));
   }
-  return fmt::format("<Folder><name>task {}</name>\n{}</Folder>\n", number, kml.text());
+  const std::string name = one.aircraft > 0 ? fmt::format("task {}, aircraft {}", number, one.aircraft)
+                                            : fmt::format("task {}", number);
+  return fmt::format("<Folder><name>{}</name>\n{}</Folder>\n", name, kml.text());
 }
 
 }  // namespace
@@ -112,8 +114,10 @@ std::string cover_kml(const std::vector<Covered>& done) {
       "<Style id=\"transfer\"><LineStyle><color>ff808080</color><width>1</width></LineStyle></Style>\n"
       "<Style id=\"carried\"><LineStyle><color>ff0080ff</color><width>2</width></LineStyle></Style>\n"
       "<Style id=\"rendezvous\"><IconStyle><color>ff0080ff</color></IconStyle></Style>\n";
+  std::size_t task = 0;
   for (std::size_t i = 0; i < done.size(); ++i) {
-    if (done[i].plan && done[i].task->origin) out += folder(done[i], i);
+    if (i > 0 && done[i].aircraft <= 1) ++task;
+    if (done[i].plan && done[i].task->origin) out += folder(done[i], task);
   }
   return out + "</Document></kml>\n";
 }

@@ -65,6 +65,7 @@ void add_meeting(const coverage::Rendezvous& meeting, double altitude_m, Mission
 
 Json items_of(const coverage::Plan& plan, const Vec3& home, const planner::GeoOrigin& origin) {
   MissionWriter mission(origin, home.z());
+  if (plan.take_off_s > 0.0) mission.wait(plan.take_off_s);
   mission.at(kTakeOff, above(home, plan.legs.front().entry_m.z()));
   for (const Vec3& corner : plan.approach_m) mission.at(kWaypoint, corner);
   auto meeting = plan.rendezvous.begin();

@@ -255,7 +255,8 @@ constexpr const char* kHead =
 std::string title_of(const CoverJob& job, const Covered& one) {
   const coverage::Plan& plan = *one.plan;
   const std::string name = one.task->fields.size() == 1 ? one.task->fields.front().name : job.name;
-  return fmt::format("{}: {:.2f} % covered, {:.0f} s, {} recharges", name, plan.covered_percent,
+  const std::string whose = one.aircraft > 0 ? fmt::format(", aircraft {}", one.aircraft) : "";
+  return fmt::format("{}{}: {:.2f} % covered, {:.0f} s, {} recharges", name, whose, plan.covered_percent,
                      plan.makespan_s, plan.recharges);
 }
 

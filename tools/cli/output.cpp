@@ -17,6 +17,20 @@ std::string dump(const nlohmann::ordered_json& json) {
   return json.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
+Status write_files(const std::string& path, const Answer& answer) {
+  const std::string extension = extension_of(path);
+  if (const auto series = answer.series.find(extension); series != answer.series.end()) {
+    const std::string stem = path.substr(0, path.size() - extension.size());
+    for (std::size_t i = 0; i < series->second.size(); ++i) {
+      const Status status = write_text(fmt::format("{}-{}{}", stem, i + 1, extension), series->second[i]());
+      if (!status.ok()) return status;
+    }
+    return {};
+  }
+  const auto file = answer.files.find(extension);
+  return write_text(path, file != answer.files.end() ? file->second() : dump(answer.json));
+}
+
 }  // namespace
 
 Status write_text(const std::string& path, const std::string& text) {
@@ -50,9 +64,7 @@ Status check_output(const Common& common, const std::vector<std::string>& extens
 
 Exit deliver(const Common& common, const Answer& answer, Exit exit) {
   if (!common.output.empty()) {
-    const auto file = answer.files.find(extension_of(common.output));
-    const std::string text = file != answer.files.end() ? file->second() : dump(answer.json);
-    if (const Status status = write_text(common.output, text); !status.ok()) return fail(status.error());
+    if (const Status status = write_files(common.output, answer); !status.ok()) return fail(status.error());
   }
   if (common.json) {
     fmt::print("{}", dump(answer.json));

@@ -3,6 +3,7 @@
 #include <functional>
 #include <map>
 #include <string>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -17,6 +18,8 @@ struct Answer {
   nlohmann::ordered_json json;
   std::string table;
   std::map<std::string, std::function<std::string()>> files;
+  /// Extensions of which there are several files: name-1.ext, name-2.ext, …
+  std::map<std::string, std::vector<std::function<std::string()>>> series{};
 };
 
 /// Prints and writes the answer as the options ask, and returns `exit`, or kUsage when the output file has an

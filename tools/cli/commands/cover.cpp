@@ -2,6 +2,7 @@
 #include <atomic>
 #include <cmath>
 #include <filesystem>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <memory>
@@ -14,6 +15,7 @@
 
 #include <fmt/core.h>
 
+#include "coverage/fleet/fleet.hpp"
 #include "planner/base/checks.hpp"
 #include "planner/base/clock.hpp"
 #include "tools/cli/commands.hpp"
@@ -35,6 +37,7 @@ struct CoverOptions {
   gtsp::Mode mode = gtsp::Mode::kFast;
   double time_limit_s = 0.0;
   bool compare_full_graph = false;
+  coverage::FleetOptions fleet{1, {}, nullptr};
   bool has_sensor_width = false;
   std::vector<std::string> class_heights;  ///< NAME=METRES
   bool is_multirotor = false;
@@ -116,6 +119,40 @@ Covered cover_one(const coverage::Task& task, const planner::Terrain& terrain,
   return out;
 }
 
+/// The same by several aircraft, each with its own part and robot.
+std::vector<Covered> cover_with_fleet(const coverage::Task& task, const planner::Terrain& terrain,
+                                      const coverage::PlanOptions& options,
+                                      const coverage::FleetOptions& fleet) {
+  const double begin_s = options.clock->now_s();
+  Covered alone = cover_one(task, terrain, options);
+  if (!alone.plan || fleet.aircraft == 1) return {std::move(alone)};
+  coverage::FleetOptions asked = fleet;
+  asked.alone = &*alone.plan;
+  const auto refused = [&](std::string reason) -> std::vector<Covered> {
+    alone.fields = alone.plan->fields;
+    alone.plan.reset();
+    alone.reason = std::move(reason);
+    return {std::move(alone)};
+  };
+  auto planned = coverage::plan_fleet(task, terrain, options, asked);
+  if (!planned) return refused(planned.error().message);
+  std::vector<Covered> out;
+  for (coverage::Member& member : planned->members) {
+    const std::vector<std::string> faults = check_cover(member.plan, member.task);
+    if (!faults.empty()) return refused("The plan was refused by the checker: " + faults.front());
+    Covered one;
+    one.own_task = std::make_shared<const coverage::Task>(std::move(member.task));
+    one.task = one.own_task.get();
+    one.plan = std::move(member.plan);
+    one.aircraft = static_cast<int>(out.size()) + 1;
+    one.delay_s = member.delay_s;
+    one.alone_s = planned->alone_s;
+    one.wall_s = options.clock->now_s() - begin_s;
+    out.push_back(std::move(one));
+  }
+  return out;
+}
+
 /// Several tasks are shared out over the threads, a single one gets them all. The same answer for any number
 /// of threads.
 std::vector<Covered> cover_all(const CoverOptions& options, const CoverJob& job, const Clock& clock,
@@ -124,17 +161,18 @@ std::vector<Covered> cover_all(const CoverOptions& options, const CoverJob& job,
                                                        : std::numeric_limits<double>::infinity();
   const auto count = static_cast<int>(job.tasks.size());
   const auto plan = plan_options(options, clock, deadline_s, count == 1 ? options.common.threads : 1);
-  std::vector<Covered> done(job.tasks.size());
+  std::vector<std::vector<Covered>> by_task(job.tasks.size());
   std::atomic<int> next{0};
   const auto work = [&] {
     for (int i = next++; i < count; i = next++) {
       const auto at = static_cast<std::size_t>(i);
       if (interrupted()) {
-        done[at].task = &job.tasks[at];
-        done[at].reason = "Interrupted before this field was planned.";
+        by_task[at].emplace_back();
+        by_task[at].back().task = &job.tasks[at];
+        by_task[at].back().reason = "Interrupted before this field was planned.";
         continue;
       }
-      done[at] = cover_one(job.tasks[at], job.terrain, plan);
+      by_task[at] = cover_with_fleet(job.tasks[at], job.terrain, plan, options.fleet);
       progress.update(fmt::format("{} of {} tasks", i + 1, count));
     }
   };
@@ -142,6 +180,8 @@ std::vector<Covered> cover_all(const CoverOptions& options, const CoverJob& job,
   for (int i = 1; i < std::min(options.common.threads, count); ++i) threads.emplace_back(work);
   work();
   for (std::thread& thread : threads) thread.join();
+  std::vector<Covered> done;
+  for (std::vector<Covered>& parts : by_task) std::ranges::move(parts, std::back_inserter(done));
   return done;
 }
 
@@ -331,6 +371,26 @@ void add_fields_options(CLI::App& command, CoverOptions& options) {
       ->capture_default_str();
 }
 
+void add_fleet_options(CLI::App& command, coverage::FleetOptions& fleet) {
+  command
+      .add_option(
+          "--aircraft", fleet.aircraft,
+          "So many aircraft, each with its own ground robot, share each mission and start side by side")
+      ->check(CLI::Range(1, coverage::kMaxAircraft))
+      ->capture_default_str();
+  command.add_option("--apart", fleet.separation.horizontal_m, "Aircraft aloft keep so far apart, m, or")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  command.add_option("--apart-vertical", fleet.separation.vertical_m, "one so far above the other, m")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  command
+      .add_option("--apart-landed", fleet.separation.landed_m,
+                  "Instead of --apart to one that has landed, or among landed ones and robots, m")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+}
+
 }  // namespace
 
 void add_cover(CLI::App& app, Exit& exit) {
@@ -349,12 +409,15 @@ void add_cover(CLI::App& app, Exit& exit) {
       ->check(CLI::PositiveNumber);
   command->add_flag("--compare-full-graph", options->compare_full_graph,
                     "Also solve the graph with all edges, for full_graph_gap_percent");
+  add_fleet_options(*command, options->fleet);
   add_fields_options(*command, *options);
   add_common(*command, options->common,
              "  swallowtail cover tests/data/missions/two_heights.yaml\n"
              "  swallowtail cover fields.geojson --sensor-width 10 --height 25 --json\n"
              "  swallowtail cover parcels.geojson --sensor-width 12 --field nl-3-0 -o legs.geojson\n"
              "  swallowtail cover field.kml --sensor-width 8 --no-fly ponds.geojson -o mission.plan\n"
+             "  swallowtail cover field.kml --sensor-width 10 --aircraft 3 --apart 15 -o mission.plan\n"
+             "  (which writes mission-1.plan, mission-2.plan and mission-3.plan)\n"
              "  -o writes .json, .csv (legs), .geojson or .kml (legs, transfers, rendezvous), .plan\n"
              "  (QGroundControl) or .svg (a picture)");
   command->callback([options, &exit] { exit = run_cover(*options); });
