@@ -189,8 +189,9 @@ Result<FleetPlan> plan_fleet(const Task& task, const planner::Terrain& terrain, 
   if (static_cast<std::size_t>(fleet.aircraft) > whole.sub_cells.size())
     return bad_input("There are " + std::to_string(fleet.aircraft) + " aircraft and only " +
                      std::to_string(whole.sub_cells.size()) + " sub-cells to fly.");
-  Result<std::vector<Task>> tasks =
-      tasks_of_fleet(task, fleet.aircraft, fleet.separation.horizontal_m + kStartSlack_m);
+  const double starts_apart_m =
+      std::max(fleet.separation.horizontal_m, fleet.separation.landed_m) + kStartSlack_m;
+  Result<std::vector<Task>> tasks = tasks_of_fleet(task, fleet.aircraft, starts_apart_m);
   if (!tasks) return tasks.error();
   const Ways ways = ways_of(task, whole.polygons);
   const FlightModel model(task.vehicle, task.battery.model, terrain, &ways);
