@@ -58,7 +58,7 @@ PlanKeeper::PlanKeeper(Task task, planner::Terrain terrain, const KeeperParams& 
 /// model, and differs from flight to flight: then it is more.
 double PlanKeeper::landing_spare() const {
   const bool unsteady = bias_ > 1.0 + params_.planning.energy_margin;
-  return (unsteady ? 2.0 : 1.0) * kLandingSpareShare * task_.battery.capacity;
+  return (unsteady ? 3.0 : 1.0) * kLandingSpareShare * task_.battery.capacity;
 }
 
 double PlanKeeper::energy_now() const {
@@ -165,6 +165,7 @@ void PlanKeeper::finish_leg(std::size_t leg) {
   const Leg flown = plan_.legs[leg];
   const double length = track_->length_m();
   for (const Gap& gap : track_->gaps()) {
+    left_out_.push_back(flown.sub_cell_id);
     int& tries = tries_[flown.sub_cell_id];
     if (tries >= params_.gap_tries || length < 1e-6) {
       unflown_m_ += gap.to_m - gap.from_m;
@@ -223,6 +224,7 @@ bool PlanKeeper::on_vehicle(const AircraftView& vehicle) {
     solved_slack_.reset();
     lands_at_once_ = false;
     told_overdue_ = false;
+    told_short_ = false;
     take_off_energy_ = battery_ ? battery_->energy : -1.0;
     follow_progress(vehicle);
     if (const auto cost = to_next_landing()) take_off_cost_ = *cost;
@@ -315,13 +317,21 @@ std::optional<double> PlanKeeper::ratio_aloft(const FlightCost& left) const {
 
 /// In flight: does the energy reach the next landing?
 bool PlanKeeper::review_flight() {
-  if (vehicle_->mode == AircraftMode::kLanding || lands_at_once_) return false;
+  if (vehicle_->mode == AircraftMode::kLanding || lands_at_once_) {
+    // Nothing is left to decide, but it is said.
+    if (told_short_ || energy_now() >= task_.battery.reserve) return false;
+    told_short_ = true;
+    note_revision("energy " + std::to_string(std::lround(energy_now())) +
+                  ", below the reserve; it is landing");
+    return true;
+  }
   const auto cost = to_next_landing();
   if (!cost) return false;
   double slack = energy_now() - cost->energy * bias_ - task_.battery.reserve;
   // As consumption has been since the take-off, or as it is known to be with something to spare.
   const std::optional<double> ratio = ratio_aloft(*cost);
-  const bool holds = !ratio || energy_now() - cost->energy * *ratio >= task_.battery.reserve;
+  const bool holds =
+      !ratio || energy_now() - cost->energy * *ratio >= task_.battery.reserve + landing_spare();
   if (holds && slack >= cost->energy * params_.trigger_margin + landing_spare()) return false;
   bias_ = ratio ? std::max(bias_, *ratio) : std::min(bias_ + kBiasStep, kMostBias);
   slack = energy_now() - cost->energy * bias_ - task_.battery.reserve;

@@ -69,6 +69,11 @@ class PlanKeeper {
   bool on_vehicle(const AircraftView& vehicle);
   bool on_battery(const BatteryView& battery);
   bool on_robot(const RobotView& robot);
+  /// Other fields while the mission is under way: what is flown stays, the new fields are cut, what has been
+  /// seen of them is left out and the rest is scheduled anew in an order of its own. Errors leave the plan as
+  /// it is: (kBadInput) the task, or another aircraft or robot; (kInfeasible) no field can be planned, or the
+  /// rest cannot be flown from here.
+  Status change_task(Task task);
   /// For a plan made when others were in force before: its revision is above theirs.
   void set_revision_above(std::uint32_t revision) { plan_.revision = std::max(plan_.revision, revision + 1); }
   /// For a keeper that started in the middle of a mission without the plan that was flown: the unknown flown
@@ -120,6 +125,9 @@ class PlanKeeper {
   void note_revision(const std::string& reason);
   ScheduleStart start_in_air() const;
   std::vector<Leg> unflown_legs(std::size_t committed = 0);
+  std::vector<Leg> unseen_parts(const SubCell& cell, const std::vector<Leg>& flown);
+  std::vector<Leg> flown_legs(std::size_t committed) const;
+  Status take_cells(const std::vector<SubCell>& cells);
   bool at_meeting(const Vec3& position_m) const;
 
   Task task_;
@@ -133,12 +141,14 @@ class PlanKeeper {
   std::optional<RobotView> robot_;
   std::optional<StripTrack> track_;
   std::size_t tracked_leg_ = 0;
-  std::vector<Leg> gaps_;               ///< left out, not in the plan yet
-  std::map<std::uint32_t, int> tries_;  ///< by sub-cell: how often it has been a gap
+  std::vector<Leg> gaps_;                ///< left out, not in the plan yet
+  std::map<std::uint32_t, int> tries_;   ///< by sub-cell: how often it has been a gap
+  std::vector<std::uint32_t> left_out_;  ///< sub-cells whose legs were not flown whole
   std::uint32_t next_id_ = 0;
   double unflown_m_ = 0.0;
   std::string given_up_;  ///< not told yet
   double landed_since_s_ = 0.0;
+  bool told_short_ = false;    ///< in this flight
   bool told_overdue_ = false;  ///< in this stay on the ground
   double last_shift_s_ = -1e9;
   double retry_s_ = -1e9;  ///< a solution that failed is not tried again before

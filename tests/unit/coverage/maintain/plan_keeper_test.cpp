@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace swallowtail::coverage {
@@ -128,6 +129,73 @@ TEST_F(Keeper, AStripThatCannotBeFlownIsGivenUpWithAReason) {
   EXPECT_FALSE(made->complete());
   EXPECT_NE(made->plan().reason.find("given up"), std::string::npos) << made->plan().reason;
   EXPECT_NEAR(made->unflown_m(), length, 1.0);
+}
+
+/// Metres of a new field's middle line that no leg of the plan passes within half a width.
+double unplanned_m(const LivePlan& plan, const Vec2& from, const Vec2& to) {
+  double out = 0.0;
+  for (double share = 0.005; share < 1.0; share += 0.01) {
+    const Vec2 p = from + share * (to - from);
+    const bool seen = std::any_of(plan.legs.begin(), plan.legs.end(), [&](const Leg& leg) {
+      const Vec2 way = (leg.exit_m - leg.entry_m).head<2>();
+      if (way.norm() < 1e-9) return false;
+      const double t = std::clamp((p - leg.entry_m.head<2>()).dot(way) / way.squaredNorm(), 0.0, 1.0);
+      return (p - leg.entry_m.head<2>() - t * way).norm() <= 0.5 * leg.width_m + 0.2;
+    });
+    if (!seen) out += 0.01 * (to - from).norm();
+  }
+  return out;
+}
+
+TEST_F(Keeper, ChangedFieldsInFlightKeepWhatIsFlownAndPlanTheRest) {
+  auto made = PlanKeeper::make(holed_task(), planner::Terrain::flat(0.0), {});
+  ASSERT_TRUE(made.ok());
+  break_battery(*made, 2, 200.0);
+  const LivePlan before = made->plan();
+  Task wider = holed_task();
+  wider.revision = 2;
+  wider.fields[0].polygon.outline = {{0, 0}, {300, 0}, {300, 120}, {0, 120}};
+  const Status changed = made->change_task(wider);
+  ASSERT_TRUE(changed.ok()) << changed.error().message;
+  const LivePlan& after = made->plan();
+  EXPECT_GT(after.revision, before.revision);
+  EXPECT_NE(after.reason.find("fields were changed"), std::string::npos) << after.reason;
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(after.legs[i].sub_cell_id, before.legs[i].sub_cell_id);
+    EXPECT_EQ(after.legs[i].exit_m, before.legs[i].exit_m);
+  }
+  EXPECT_LT(unplanned_m(after, {270, 1}, {270, 119}), 1.5) << "the new part";
+  EXPECT_LT(unplanned_m(after, {40, 1}, {40, 119}), 1.5) << "the old part";
+  double seen_again_m = 0.0;
+  for (std::size_t i = 3; i < after.legs.size(); ++i) {
+    const Leg& leg = after.legs[i];
+    for (std::size_t j = 0; j < 2; ++j) {
+      const Leg& flown = after.legs[j];
+      if (std::abs(leg.entry_m.y() - flown.entry_m.y()) > 1.0) continue;
+      const double lo =
+          std::max(std::min(leg.entry_m.x(), leg.exit_m.x()), std::min(flown.entry_m.x(), flown.exit_m.x()));
+      const double hi =
+          std::min(std::max(leg.entry_m.x(), leg.exit_m.x()), std::max(flown.entry_m.x(), flown.exit_m.x()));
+      seen_again_m += std::max(0.0, hi - lo);
+    }
+  }
+  EXPECT_LT(seen_again_m, 3.0) << "what is flown is not flown again";
+}
+
+TEST_F(Keeper, ChangedFieldsThatCannotBePlannedLeaveThePlanAsItIs) {
+  auto made = PlanKeeper::make(holed_task(), planner::Terrain::flat(0.0), {});
+  ASSERT_TRUE(made.ok());
+  break_battery(*made, 2, 200.0);
+  const std::uint32_t revision = made->plan().revision;
+  Task sliver = holed_task();
+  sliver.fields[0].polygon = {{{0, 0}, {1, 0}, {1, 1}, {0, 1}}, {}};
+  EXPECT_FALSE(made->change_task(sliver).ok());
+  Task other = holed_task();
+  other.vehicle_id = 7;
+  const Status refused = made->change_task(other);
+  ASSERT_FALSE(refused.ok());
+  EXPECT_NE(refused.error().message.find("another aircraft"), std::string::npos);
+  EXPECT_EQ(made->plan().revision, revision);
 }
 
 }  // namespace
