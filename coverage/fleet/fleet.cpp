@@ -1,6 +1,7 @@
 #include "coverage/fleet/fleet.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 #include <optional>
 
@@ -115,6 +116,17 @@ Visits way_of(const Visits& visits, int way) {
   return out;
 }
 
+/// Of so many ways that can be kept apart the best is taken; none is looked for any more when waiting costs
+/// but a share of the makespan.
+constexpr int kFoundWays = 20;
+constexpr double kEnough = 1.01;
+
+double last_landing_s(const std::vector<Member>& members) {
+  double out = 0.0;
+  for (const Member& member : members) out = std::max(out, member.plan.makespan_s);
+  return out;
+}
+
 /// Which way each aircraft flies, the fewest changes first.
 constexpr std::size_t kMostWays = 100;
 std::vector<std::vector<int>> ways_of_fleet(std::size_t aircraft) {
@@ -205,6 +217,8 @@ Result<FleetPlan> plan_fleet(const Task& task, const planner::Terrain& terrain, 
   out.separation = fleet.separation;
   out.alone_s = whole.makespan_s;
   Status separated = internal_error("The share of an aircraft cannot be scheduled.");
+  out.makespan_s = std::numeric_limits<double>::infinity();
+  int found = 0;
   for (const std::vector<int>& way : ways_of_fleet(starts.size())) {
     if (options.stop.interrupted())
       return Error{Error::Code::kInterrupted, "Interrupted before the aircraft were kept apart."};
@@ -215,14 +229,22 @@ Result<FleetPlan> plan_fleet(const Task& task, const planner::Terrain& terrain, 
       if (plan) members.push_back({(*tasks)[k], std::move(*plan), 0.0});
     }
     if (members.size() < starts.size()) continue;
-    separated = separate(members, fleet.separation, model);
-    out.members = std::move(members);
-    if (separated) break;
+    const Status status = separate(members, fleet.separation, model);
+    if (status) {
+      ++found;
+      if (last_landing_s(members) < out.makespan_s) {
+        out.makespan_s = last_landing_s(members);
+        out.members = std::move(members);
+      }
+      separated = status;
+    } else if (found == 0) {
+      separated = status;
+    }
+    if (found == kFoundWays || out.makespan_s <= kEnough * parts->longest_s()) break;
   }
   if (!separated) return separated.error();
   if (!keeps(out.members, fleet.separation, model))
     return internal_error("Two aircraft of the schedule found come too close.");
-  for (const Member& member : out.members) out.makespan_s = std::max(out.makespan_s, member.plan.makespan_s);
   return out;
 }
 
