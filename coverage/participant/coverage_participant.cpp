@@ -118,13 +118,30 @@ void CoverageParticipant::take_task() {
     status_->set_health(task_ ? data::Health::kReady : data::Health::kDegraded, good.error().message);
     return;
   }
-  if (keeper_ && keeper_->plan().legs_done > 0)
-    return bus_.count_rejection("CoverageTask", "a mission is under way");
+  if (keeper_ && keeper_->plan().legs_done > 0) return change_task(std::move(*task), wanted);
   task_ = std::move(*task);
   needs_plan_ = true;
   inbox_->vehicle_id.store(task_->vehicle_id);
   inbox_->charger_id.store(task_->charger.charger_id);
   inbox_->capacity.store(task_->battery.capacity);
+}
+
+void CoverageParticipant::change_task(data::CoverageTask task, const Task& wanted) {
+  if (task.task_id != task_->task_id || task.has_terrain != task_->has_terrain) {
+    status_->set_health(data::Health::kReady,
+                        "task " + std::to_string(task.task_id) + " is refused: a mission is under way");
+    return bus_.count_rejection("CoverageTask", "a mission is under way");
+  }
+  if (const Status changed = keeper_->change_task(wanted); !changed) {
+    status_->set_health(data::Health::kReady, "task revision " + std::to_string(task.revision) +
+                                                  " is refused: " + changed.error().message);
+    return bus_.count_rejection("CoverageTask", "the mission under way cannot take it up");
+  }
+  task_ = std::move(task);
+  is_published_ = false;
+  status_->count_replan();
+  status_->set_health(data::Health::kReady,
+                      "revision " + std::to_string(keeper_->plan().revision) + ": " + keeper_->plan().reason);
 }
 
 void CoverageParticipant::plan_when_ready() {

@@ -31,8 +31,9 @@ struct ParticipantOptions {
 
 /// Joins PlanKeeper to the wire: reads CoverageTask, TerrainTile, VehicleState, BatteryState, ChargerState
 /// and MissionClock, writes CoveragePlan, ChargerPlan and ParticipantStatus. A new revision of the task is
-/// planned afresh while the aircraft has not flown; later ones are refused. A plan found on the wire for the
-/// task (of another coverage participant, gone or going) is taken up, not made anew.
+/// planned afresh while the aircraft has not flown a leg; later ones may change the fields only (see
+/// PlanKeeper::change_task) and are refused else, with the reason in the status. A plan found on the wire for
+/// the task (of another coverage participant, gone or going) is taken up, not made anew.
 class CoverageParticipant {
  public:
   static Result<std::unique_ptr<CoverageParticipant>> make(Bus& bus, const Clock& clock,
@@ -67,6 +68,7 @@ class CoverageParticipant {
   Status subscribe_states();
   void take_tiles();
   void take_task();
+  void change_task(data::CoverageTask task, const Task& wanted);
   void plan_when_ready();
   void resume_or_plan(const planner::Terrain& terrain);
   void take_states();

@@ -154,7 +154,7 @@ TEST_F(CoverageParticipantTest, RefusesWhatDoesNotFitAndChangesNothing) {
   EXPECT_EQ(plans_.size(), 1U);
 }
 
-TEST_F(CoverageParticipantTest, ANewRevisionOfTheTaskIsPlannedBeforeTheFlightOnly) {
+TEST_F(CoverageParticipantTest, ANewRevisionOfTheTaskIsPlannedAfreshBeforeTheFlightAndTakenUpLater) {
   ASSERT_TRUE(tasks_->publish(square_task()));
   step();
   data::CoverageTask wider = square_task();
@@ -167,10 +167,20 @@ TEST_F(CoverageParticipantTest, ANewRevisionOfTheTaskIsPlannedBeforeTheFlightOnl
   EXPECT_EQ(plans_.back().legs.size(), 3U);
   ASSERT_TRUE(vehicles_->publish(aloft(30.0, plans_.back().legs[1].entry, 1)));
   step();
+  const data::Leg flown = plans_.back().legs[0];
   wider.revision = 3;
+  for (data::Point2& point : wider.points) point.x_m *= 1.5;
   ASSERT_TRUE(tasks_->publish(wider));
   step();
-  EXPECT_EQ(plans_.size(), 2U);
+  ASSERT_EQ(plans_.size(), 3U);
+  EXPECT_EQ(plans_.back().legs[0].exit, flown.exit);
+  EXPECT_EQ(plans_.back().basis.task_revision, 3U);
+  EXPECT_NE(plans_.back().reason.find("fields were changed"), std::string::npos) << plans_.back().reason;
+  data::CoverageTask other = wider;
+  other.task_id = wider.task_id + 1;
+  ASSERT_TRUE(tasks_->publish(other));
+  step();
+  EXPECT_EQ(plans_.size(), 3U);
   EXPECT_EQ(rejections("a mission is under way"), 1U);
 }
 
