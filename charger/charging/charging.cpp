@@ -221,6 +221,9 @@ void Charging::charge(const Inputs& inputs, double duration_s) {
 void Charging::serve(const Inputs& inputs, double duration_s) {
   drive_.stop();
   if (service_ == Service::kLanding && state_.time_s >= handling_until_s_) service_ = Service::kServing;
+  // What a battery loses while it waits to leave is charged again.
+  const bool leaves = service_ == Service::kTakeOff || service_ == Service::kReady;
+  if (leaves && missing_energy(inputs) > kRecharge) service_ = Service::kServing;
   if (service_ == Service::kServing) {
     const bool arrived = !current_.carry_to_m || drive_.stands_at(*current_.carry_to_m);
     charge(inputs, duration_s);
