@@ -202,10 +202,12 @@ class ClosedLoop {
     time_s_ = simulation.time_s();
     if (!aloft) {
       breached_ = false;
-      doomed_ = false;
+      // A take-off that was decided before the loss was known cannot be called back.
+      doomed_ = energy < reserve && time_s_ < ground_loss_s_ + 1.0 + 2.0 * kReaction_s * mission_.rate;
     }
     while (losses_ < scenario.events.size() && scenario.events[losses_].at_s <= time_s_) {
       ++losses_;
+      if (!aloft) ground_loss_s_ = time_s_;
       if (aloft && energy - to_come_down(scenario, simulation.motion().position_m.z()) < reserve)
         doomed_ = true;
     }
@@ -228,6 +230,7 @@ class ClosedLoop {
   std::size_t losses_ = 0;
   bool breached_ = false;  ///< in this flight
   bool doomed_ = false;
+  double ground_loss_s_ = -kForever_s;
 };
 
 /// Crossings of a ray to the east.

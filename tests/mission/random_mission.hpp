@@ -37,7 +37,8 @@ struct RandomMission {
 struct Breach {
   double time_s = 0.0;
   double energy = 0.0;
-  /// Since the take-off there was a loss that left less than the reserve and what going straight down takes.
+  /// There was a loss that left less than the reserve and what going straight down takes: since the take-off,
+  /// or on the ground too short before it to be known.
   bool unavoidable = false;
 };
 
