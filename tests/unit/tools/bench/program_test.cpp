@@ -82,6 +82,14 @@ TEST(BenchProgram, ReproducesADocumentQuickly) {
   fs::remove(csv);
 }
 
+TEST(BenchProgram, MeasuresCoverageQuickly) {
+  const Ran ran = run(kBench + " cover graph growth --quick --json");
+  ASSERT_EQ(ran.exit, 0) << ran.out;
+  const auto document = nlohmann::json::parse(ran.out);
+  EXPECT_EQ(document.at("bench"), "cover");
+  expect_rows(document);
+}
+
 TEST(BenchProgram, AblationAndInvarianceRun) {
   const Ran ablation = run(kBench + " plan five_spheres --ablation --quick --json");
   ASSERT_EQ(ablation.exit, 0) << ablation.out;
@@ -102,13 +110,15 @@ TEST(BenchProgram, RefusesWhatIsWrongWithExitCodeTwo) {
   refused("plan --quick --only nobody", "There is no subject 'nobody'");
   refused("plan --quick -o table.xls", "extension");
   refused("plan --quick --data /nowhere", "/nowhere");
+  refused("cover clouds", "clouds");
+  refused("cover parcels --quick --fields /nowhere", "/nowhere");
   refused("seeds nothing", "There is no experiment 'nothing'");
   refused("plan --runs 0", "runs");
   refused("scene clouds", "clouds");
 }
 
 TEST(BenchProgram, HelpsWithExamples) {
-  for (const char* command : {"plan", "seeds", "scene"}) {
+  for (const char* command : {"plan", "seeds", "scene", "cover"}) {
     const Ran ran = run(kBench + " " + command + " --help");
     EXPECT_EQ(ran.exit, 0);
     EXPECT_THAT(ran.out, HasSubstr("Examples:")) << command;
