@@ -1,6 +1,7 @@
 #include "coverage/fleet/fleet.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <limits>
 #include <numeric>
 #include <optional>
@@ -173,6 +174,32 @@ Status separate(std::vector<Member>& members, const Separation& separation, cons
                     " finds no time. Fewer aircraft or smaller distances may do.");
 }
 
+/// The best of some ways that can be kept apart. `members_of` gives fewer members where a way cannot be
+/// flown.
+Status keep_apart(const std::function<std::vector<Member>(const std::vector<int>&)>& members_of,
+                  std::size_t aircraft, double undelayed_s, const PlanOptions& options,
+                  const FlightModel& model, FleetPlan& out) {
+  Status separated = internal_error("The share of an aircraft cannot be scheduled.");
+  out.makespan_s = std::numeric_limits<double>::infinity();
+  int found = 0;
+  for (const std::vector<int>& way : ways_of_fleet(aircraft)) {
+    if (options.stop.interrupted())
+      return Error{Error::Code::kInterrupted, "Interrupted before the aircraft were kept apart."};
+    std::vector<Member> members = members_of(way);
+    if (members.size() < aircraft) continue;
+    const Status status = separate(members, out.separation, model);
+    if (status || found == 0) separated = status;
+    if (!status) continue;
+    ++found;
+    if (last_landing_s(members) < out.makespan_s) {
+      out.makespan_s = last_landing_s(members);
+      out.members = std::move(members);
+    }
+    if (found == kFoundWays || out.makespan_s <= kEnough * undelayed_s) break;
+  }
+  return separated;
+}
+
 /// Once more, on what is handed out.
 bool keeps(const std::vector<Member>& members, const Separation& separation, const FlightModel& model) {
   std::vector<Trace> traces;
@@ -216,32 +243,16 @@ Result<FleetPlan> plan_fleet(const Task& task, const planner::Terrain& terrain, 
   FleetPlan out;
   out.separation = fleet.separation;
   out.alone_s = whole.makespan_s;
-  Status separated = internal_error("The share of an aircraft cannot be scheduled.");
-  out.makespan_s = std::numeric_limits<double>::infinity();
-  int found = 0;
-  for (const std::vector<int>& way : ways_of_fleet(starts.size())) {
-    if (options.stop.interrupted())
-      return Error{Error::Code::kInterrupted, "Interrupted before the aircraft were kept apart."};
+  const auto members_of = [&](const std::vector<int>& way) {
     std::vector<Member> members;
     for (std::size_t k = 0; k < starts.size(); ++k) {
       std::optional<Plan> plan =
           plan_of(whole, way_of(parts->visits[k], way[k]), starts[k], stop_params(task, options), links);
       if (plan) members.push_back({(*tasks)[k], std::move(*plan), 0.0});
     }
-    if (members.size() < starts.size()) continue;
-    const Status status = separate(members, fleet.separation, model);
-    if (status) {
-      ++found;
-      if (last_landing_s(members) < out.makespan_s) {
-        out.makespan_s = last_landing_s(members);
-        out.members = std::move(members);
-      }
-      separated = status;
-    } else if (found == 0) {
-      separated = status;
-    }
-    if (found == kFoundWays || out.makespan_s <= kEnough * parts->longest_s()) break;
-  }
+    return members;
+  };
+  const Status separated = keep_apart(members_of, starts.size(), parts->longest_s(), options, model, out);
   if (!separated) return separated.error();
   if (!keeps(out.members, fleet.separation, model))
     return internal_error("Two aircraft of the schedule found come too close.");
