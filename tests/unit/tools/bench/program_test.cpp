@@ -83,7 +83,7 @@ TEST(BenchProgram, ReproducesADocumentQuickly) {
 }
 
 TEST(BenchProgram, MeasuresCoverageQuickly) {
-  const Ran ran = run(kBench + " cover graph growth --quick --json");
+  const Ran ran = run(kBench + " cover parcels --quick --quiet --json");
   ASSERT_EQ(ran.exit, 0) << ran.out;
   const auto document = nlohmann::json::parse(ran.out);
   EXPECT_EQ(document.at("bench"), "cover");
