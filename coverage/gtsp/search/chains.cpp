@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <optional>
+#include <memory>
 #include <thread>
 
 #include "coverage/gtsp/search/annealer.hpp"
@@ -42,8 +42,8 @@ class Rounds {
  public:
   Rounds(const Problem& problem, const ChainSetup& setup, const ChainReport& report)
       : problem_(problem), setup_(setup), report_(report), rng_(setup.seed) {
-    if (!problem.points().empty()) tree_.emplace(problem);
-    for (int i = 0; i < kChains; ++i) candidates_.emplace_back(problem, tree_ ? &*tree_ : nullptr, kNear);
+    if (!problem.points().empty()) tree_ = std::make_unique<PointTree>(problem);
+    for (int i = 0; i < kChains; ++i) candidates_.emplace_back(problem, tree_.get(), kNear);
   }
 
   std::uint64_t run() {
@@ -198,7 +198,7 @@ class Rounds {
   const ChainSetup& setup_;
   const ChainReport& report_;
   Rng rng_;
-  std::optional<PointTree> tree_;
+  std::unique_ptr<PointTree> tree_;
   std::vector<Candidates> candidates_;
   std::array<Chain, kChains> chains_;
   std::vector<std::vector<int>> pool_;
