@@ -297,27 +297,6 @@ std::string table_of(const CoverJob& job, const Json& json) {
   return out;
 }
 
-std::string legs_csv(const Json& json) {
-  std::string out =
-      "task,field,sub_cell,kind,from_x_m,from_y_m,from_z_m,to_x_m,to_y_m,to_z_m,height_m,transfer,energy_"
-      "before,energy_after,start_s,end_s,bends_m,aircraft\n";
-  for (const Json& leg : json["legs"]) {
-    const auto& a = leg["from_m"];
-    const auto& b = leg["to_m"];
-    std::string bends;  // x y z; x y z of the transfer that follows
-    for (const Json& bend : leg["transfer_m"])
-      bends += fmt::format("{}{} {} {}", bends.empty() ? "" : "; ", bend[0].dump(), bend[1].dump(),
-                           bend[2].dump());
-    out += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", leg["task"].dump(),
-                       leg["field"].dump(), leg["sub_cell"].dump(), leg["kind"].get<std::string>(),
-                       a[0].dump(), a[1].dump(), a[2].dump(), b[0].dump(), b[1].dump(), b[2].dump(),
-                       leg["height_m"].dump(), leg["transfer"].get<std::string>(),
-                       leg["energy_before"].dump(), leg["energy_after"].dump(), leg["start_s"].dump(),
-                       leg["end_s"].dump(), bends, leg.value("aircraft", 1));
-  }
-  return out;
-}
-
 /// Written only where all tasks share one frame, or each its own origin: features of tasks in local metres
 /// would lie upon each other.
 std::string plan_geojson(const std::vector<Covered>& done) {
@@ -362,21 +341,6 @@ std::string plan_geojson(const std::vector<Covered>& done) {
 
 }  // namespace
 
-std::vector<Vec3> approach_of(const Covered& one) {
-  if (one.plan->legs.empty()) return {};
-  std::vector<Vec3> out{one.task->start_m};
-  out.insert(out.end(), one.plan->approach_m.begin(), one.plan->approach_m.end());
-  out.push_back(one.plan->legs.front().entry_m);
-  return out;
-}
-
-std::vector<Vec3> transfer_after(const coverage::Plan& plan, std::size_t leg) {
-  std::vector<Vec3> out{plan.legs[leg].exit_m};
-  out.insert(out.end(), plan.legs[leg].transfer_m.begin(), plan.legs[leg].transfer_m.end());
-  out.push_back(plan.legs[leg + 1].entry_m);
-  return out;
-}
-
 const char* name(CoverStatus status) {
   switch (status) {
     case CoverStatus::kCertified:
@@ -404,7 +368,7 @@ Answer answer_of(const CoverJob& job, const std::vector<Covered>& done, CoverSta
   Answer answer;
   answer.json = document(job, done, status, wall_s);
   answer.table = table_of(job, answer.json);
-  answer.files[".csv"] = [json = answer.json] { return legs_csv(json); };
+  answer.files[".csv"] = [json = answer.json] { return cover_csv(json); };
   answer.files[".geojson"] = [&done] { return plan_geojson(done); };
   answer.files[".kml"] = [&done] { return cover_kml(done); };
   answer.files[".svg"] = [&job, &done] { return cover_svg(job, done); };

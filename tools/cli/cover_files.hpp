@@ -13,6 +13,9 @@ std::vector<Vec3> approach_of(const Covered& one);
 /// The transfer after a leg, ends included.
 std::vector<Vec3> transfer_after(const coverage::Plan& plan, std::size_t leg);
 
+/// The legs of answer_of's document, one a line.
+std::string cover_csv(const nlohmann::ordered_json& json);
+
 /// Placemarks of fields, no-fly areas, legs with their transfers, and rendezvous; heights absolute. Tasks
 /// without an origin (local metres) are left out: KML knows degrees only.
 std::string cover_kml(const std::vector<Covered>& done);
