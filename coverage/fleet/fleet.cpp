@@ -108,11 +108,8 @@ using Visits = std::vector<Visit>;
 /// Other ends for an aircraft whose last landing is in another's way.
 constexpr int kWays = 3;
 Visits way_of(const Visits& visits, int way) {
+  if (way == 1) return turned(visits);
   Visits out = visits;
-  if (way == 1) {
-    std::ranges::reverse(out);
-    for (Visit& visit : out) visit.from_beta = !visit.from_beta;
-  }
   if (way == 2) out.back().from_beta = !out.back().from_beta;
   return out;
 }

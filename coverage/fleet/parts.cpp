@@ -29,12 +29,6 @@ double budget_of(gtsp::Mode mode) {
 
 using Visits = std::vector<Visit>;
 
-Visits turned(std::span<const Visit> chain) {
-  Visits out(chain.rbegin(), chain.rend());
-  for (Visit& visit : out) visit.from_beta = !visit.from_beta;
-  return out;
-}
-
 /// A chain of the busiest that goes elsewhere.
 struct Move {
   double longest_s = 0.0;  ///< of the two, estimated
@@ -311,6 +305,12 @@ Result<Parts> Sharing::run(std::span<const Visit> order) {
 }
 
 }  // namespace
+
+std::vector<Visit> turned(std::span<const Visit> visits) {
+  std::vector<Visit> out(visits.rbegin(), visits.rend());
+  for (Visit& visit : out) visit.from_beta = !visit.from_beta;
+  return out;
+}
 
 double Parts::longest_s() const { return *std::ranges::max_element(end_s); }
 

@@ -9,6 +9,9 @@
 
 namespace swallowtail::coverage {
 
+/// The same visits from the last to the first, each the other way round.
+std::vector<Visit> turned(std::span<const Visit> visits);
+
 /// Which sub-cells each aircraft flies, in which order and which way round.
 struct Parts {
   std::vector<std::vector<Visit>> visits;  ///< by aircraft; none empty

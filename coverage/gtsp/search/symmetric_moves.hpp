@@ -162,13 +162,13 @@ class SymmetricMoves {
     for (const int w : {v, r, s, y, z, o}) wake(problem_.cluster_of(w));
     switch (move.kind) {
       case Kind::kTwoOpt:
-        exchange(v, s, r, y);
+        exchange(v, s, r);
         break;
       case Kind::kPull:
         if (z == s) {
-          exchange(v, s, r, y);
+          exchange(v, s, r);
         } else if (y == v) {
-          exchange(z, r, v, s);
+          exchange(z, r, v);
         } else {
           move_stretch(z, r, r, y, v, s);
         }
@@ -199,8 +199,8 @@ class SymmetricMoves {
                  tour_->vertex(move.other));
   }
 
-  /// Arcs a–b and c–d become a–c and b–d.
-  void exchange(int a, int b, int c, int /*d*/) {
+  /// The neighbours a–b and c with its neighbour in the same sense, d, are joined anew: a–c and b–d.
+  void exchange(int a, int b, int c) {
     const int pa = tour_->position_of(a);
     const int pb = tour_->position_of(b);
     const int pc = tour_->position_of(c);
@@ -219,12 +219,12 @@ class SymmetricMoves {
       std::swap(a, b);
     }
     if (tour_->next(tour_->position_of(b)) == tour_->position_of(a)) {
-      exchange(o, f, b, a);
-      exchange(o, b, x, e);
+      exchange(o, f, b);
+      exchange(o, b, x);
     } else {
-      exchange(o, f, a, b);
-      exchange(o, a, x, e);
-      exchange(a, e, f, b);
+      exchange(o, f, a);
+      exchange(o, a, x);
+      exchange(a, e, f);
     }
   }
 
