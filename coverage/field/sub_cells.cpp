@@ -184,6 +184,18 @@ Result<std::vector<Polygon>> without_headland(const std::vector<Polygon>& polygo
   return out;
 }
 
+std::string partly_reason(const FieldCut& cut, const std::optional<Gap>& gap) {
+  std::array<char, 96> text{};
+  std::snprintf(text.data(), text.size(), "Only %.2f %% of it can be seen from lines inside it",
+                100.0 * cut.covered_m2 / cut.area_m2);
+  std::string out = text.data();
+  if (gap) {
+    std::snprintf(text.data(), text.size(), "; the largest gap, %.3g m², is at ", gap->area_m2);
+    out += text.data() + place_text(gap->place_m);
+  }
+  return out + ".";
+}
+
 Status cut(const Field& field, const Terrain& terrain, const CutParams& params, FieldCut& out) {
   const Result<std::vector<Polygon>> cleaned = clean(field.polygon);
   if (!cleaned) return cleaned.error();
@@ -211,6 +223,10 @@ Status cut(const Field& field, const Terrain& terrain, const CutParams& params, 
   if (!area) return area.error();
   out.covered_m2 = area->covered_m2;
   out.outside_m2 = area->outside_m2;
+  out.status = FieldStatus::kPlanned;
+  if (out.covered_m2 >= kCoveredShare * out.area_m2) return {};
+  out.status = FieldStatus::kPartly;
+  out.reason = partly_reason(out, largest_gap(*asked, out.sub_cells));
   return {};
 }
 
@@ -251,12 +267,12 @@ FieldCut cut_field(const Field& field, const Terrain& terrain, const CutParams& 
   out.name = field.name;
   Status status = validate(params);
   if (status.ok()) status = cut(field, terrain, params, out);
-  if (status.ok()) {
-    out.status = FieldStatus::kPlanned;
-  } else {
-    out.reason = name_and_place(field) + status.error().message;
+  if (!status.ok()) {
+    out.status = FieldStatus::kRefused;
+    out.reason = status.error().message;
     out.sub_cells.clear();
   }
+  if (!out.reason.empty()) out.reason = name_and_place(field) + out.reason;
   return out;
 }
 

@@ -60,13 +60,20 @@ struct CutParams {
 };
 Status validate(const CutParams& params);
 
-enum class FieldStatus : std::uint8_t { kPlanned, kRefused };
+enum class FieldStatus : std::uint8_t {
+  kPlanned,  ///< at least kCoveredShare of its area is covered
+  kPartly,   ///< flown, but less is covered: `reason` says how little and names the largest gap's place
+  kRefused,
+};
+
+/// Of a field's area, at the least, for the field to count as covered.
+inline constexpr double kCoveredShare = 0.999;
 
 struct FieldCut {
   std::uint32_t id = 0;
   std::string name;
   FieldStatus status = FieldStatus::kRefused;
-  std::string reason;             ///< why it was refused, a sentence with name and place; empty when planned
+  std::string reason;  ///< why it was refused or is not wholly covered, a sentence with name and place
   std::vector<Polygon> polygons;  ///< cleaned, without no-fly areas: where lines and transfers may run
   double area_m2 = 0.0;           ///< asked for: without holes, no-fly areas and a headland that is skipped
   double covered_m2 = 0.0;        ///< of the field, by the union of the swaths
@@ -81,10 +88,10 @@ struct FieldCut {
 inline constexpr std::size_t kMaxSubCells = 16384;
 
 /// Cleans the field, takes no-fly areas and a headland off, cuts the rest into strips and these into
-/// sub-cells, and measures what they cover. It never fails: a field that cannot be planned comes back refused
-/// with the reason: not a valid polygon, wholly within no-fly areas or headland, smaller across than the
-/// sensor's width, a height beyond the ceiling or below the clearance, a battery that does not fly one sensor
-/// width.
+/// sub-cells, and measures what they cover. It never fails: what no line inside sees leaves it kPartly, and a
+/// field that cannot be planned comes back refused with the reason: not a valid polygon, wholly within no-fly
+/// areas or headland, smaller across than the sensor's width, a height beyond the ceiling or below the
+/// clearance, a battery that does not fly one sensor width.
 FieldCut cut_field(const Field& field, const planner::Terrain& terrain, const CutParams& params);
 
 }  // namespace swallowtail::coverage

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -20,5 +21,14 @@ struct SwathArea {
 /// What the union of the swaths covers of the polygons and beyond them, by polygon union. Errors (kInternal):
 /// GEOS failed.
 Result<SwathArea> swath_area(std::span<const Polygon> polygons, std::span<const SubCell> sub_cells);
+
+struct Gap {
+  double area_m2 = 0.0;
+  Vec2 place_m = Vec2::Zero();  ///< in it
+};
+
+/// The largest connected part of the polygons that no swath covers; nothing when all is covered or GEOS
+/// failed.
+std::optional<Gap> largest_gap(std::span<const Polygon> polygons, std::span<const SubCell> sub_cells);
 
 }  // namespace swallowtail::coverage

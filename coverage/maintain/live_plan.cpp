@@ -12,10 +12,12 @@ LivePlan live_plan(const Plan& plan) {
   out.area_m2 = plan.area_m2;
   out.complete = plan.status == PlanStatus::kComplete;
   if (!out.complete) {
-    const auto refused = std::find_if(plan.fields.begin(), plan.fields.end(),
-                                      [](const FieldReport& f) { return f.status == FieldStatus::kRefused; });
-    if (refused != plan.fields.end())
-      out.reason = "field " + std::to_string(refused->id) + " refused: " + refused->reason;
+    const auto lacking = std::find_if(plan.fields.begin(), plan.fields.end(),
+                                      [](const FieldReport& f) { return f.status != FieldStatus::kPlanned; });
+    if (lacking != plan.fields.end()) {
+      const char* fate = lacking->status == FieldStatus::kRefused ? " refused: " : " covered in part: ";
+      out.reason = "field " + std::to_string(lacking->id) + fate + lacking->reason;
+    }
   }
   return out;
 }

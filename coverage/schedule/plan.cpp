@@ -71,10 +71,8 @@ std::vector<Polygon> no_fly_areas(const Task& task) {
 void add_field_totals(Plan& plan) {
   double covered = 0.0;
   for (const FieldReport& field : plan.fields) {
-    if (field.status == FieldStatus::kRefused) {
-      plan.status = PlanStatus::kPartial;
-      continue;
-    }
+    if (field.status != FieldStatus::kPlanned) plan.status = PlanStatus::kPartial;
+    if (field.status == FieldStatus::kRefused) continue;
     plan.area_m2 += field.area_m2;
     covered += field.covered_m2;
   }
@@ -134,7 +132,7 @@ FieldsCut cut_fields(const Task& task, const planner::Terrain& terrain, const Pl
     params.max_length_m = longest_leg_m(task, field.height_m + 2.0 * task.height_tolerance_m,
                                         highest_ground_m(field, terrain), stops);
     FieldCut cut = cut_field(field, terrain, params);
-    if (cut.status == FieldStatus::kPlanned && out.sub_cells.size() + cut.sub_cells.size() > kMaxSubCells) {
+    if (cut.status != FieldStatus::kRefused && out.sub_cells.size() + cut.sub_cells.size() > kMaxSubCells) {
       cut.status = FieldStatus::kRefused;
       cut.reason = "Field '" + cut.name + "': the task's fields together need more than " +
                    std::to_string(kMaxSubCells) + " sub-cells.";
@@ -142,7 +140,7 @@ FieldsCut cut_fields(const Task& task, const planner::Terrain& terrain, const Pl
     }
     const double wall_ms = options.clock != nullptr ? (options.clock->now_s() - began) * 1e3 : 0.0;
     out.reports.push_back(report_of(cut, wall_ms));
-    if (cut.status == FieldStatus::kPlanned)
+    if (cut.status != FieldStatus::kRefused)
       out.polygons.insert(out.polygons.end(), cut.polygons.begin(), cut.polygons.end());
     for (SubCell cell : cut.sub_cells) {
       cell.id = static_cast<std::uint32_t>(out.sub_cells.size());

@@ -70,7 +70,7 @@ struct FieldReport {
 
 enum class PlanStatus : std::uint8_t {
   kComplete,  ///< every field is planned
-  kPartial,   ///< some fields are refused, the others planned
+  kPartial,   ///< some fields are refused or covered only in part
 };
 
 struct PlanStatistics {

@@ -89,7 +89,7 @@ std::vector<std::string> faults_of_cover(const coverage::Task& task, const cover
   std::vector<std::string> out;
   if (question.raster_m <= 0.0) return out;
   for (const coverage::FieldReport& report : plan.fields) {
-    if (report.status != coverage::FieldStatus::kPlanned) continue;
+    if (report.status == coverage::FieldStatus::kRefused) continue;
     const std::string name = "field " + std::to_string(report.id);
     const auto field = std::find_if(task.fields.begin(), task.fields.end(),
                                     [&](const coverage::Field& f) { return f.id == report.id; });
@@ -113,9 +113,12 @@ std::vector<std::string> faults_of_cover(const coverage::Task& task, const cover
                                               .step_m = kStep_m,
                                               .tolerance_m = 0.02});
     if (verdict.outside_m > kLineOutside_m) out.push_back("a line leaves " + name);
-    // Less than is asked for must at the least be what the plan itself says.
+    // What is said to be covered in part must at the least be covered as said, and name the place.
+    const bool is_whole = report.status == coverage::FieldStatus::kPlanned;
     const double said = report.area_m2 > 0.0 ? report.covered_m2 / report.area_m2 : 1.0;
-    const double least = std::min(question.covered_share, said - (1.0 - question.covered_share));
+    const double least = is_whole ? question.covered_share : said - (1.0 - question.covered_share);
+    if (!is_whole && report.reason.find("gap") == std::string::npos)
+      out.push_back(name + " is covered in part and no gap is named");
     double share = seen_share(task, *field, lines, question.raster_m);
     // A coarse raster of a small field knows no thousandths.
     if (share < least) share = seen_share(task, *field, lines, question.raster_m * kFiner);

@@ -20,10 +20,10 @@ struct ReplayQuestion {
       0.0;                    ///< share of a flight's energy that must be left besides the reserve on landing
   double energy_spare = 0.0;  ///< besides
   double step_s = 0.02;
-  double time_tolerance_s = 1e-4;  ///< claim against replay, per flight
-  double energy_tolerance = 1e-4;  ///< the same
-  double raster_m = 1.0;           ///< of the cover's check; 0: not asked
-  double covered_share = 0.999;  ///< of each planned field, at the right height; or what the plan itself says
+  double time_tolerance_s = 1e-4;    ///< claim against replay, per flight
+  double energy_tolerance = 1e-4;    ///< the same
+  double raster_m = 1.0;             ///< of the cover's check; 0: not asked
+  double covered_share = 0.999;      ///< of each planned field, at the right height
   double height_tolerance_m = 1e-6;  ///< of legs, besides the task's own
 };
 

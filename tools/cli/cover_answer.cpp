@@ -62,7 +62,15 @@ Totals totals_of(const std::vector<Covered>& done) {
 }
 
 const char* name_of(coverage::FieldStatus status) {
-  return status == coverage::FieldStatus::kPlanned ? "planned" : "refused";
+  switch (status) {
+    case coverage::FieldStatus::kPlanned:
+      return "planned";
+    case coverage::FieldStatus::kPartly:
+      return "partly covered";
+    case coverage::FieldStatus::kRefused:
+      return "refused";
+  }
+  return "unknown";
 }
 
 /// Where to find the field: its first corner that is a place.
@@ -198,7 +206,7 @@ Json rendezvous_json(const coverage::Rendezvous& meeting, const Part& part) {
 void add_reports(const Covered& one, Json& out) {
   for (const auto& field : one.plan->fields) {
     out["fields"].push_back(field_json(field, *one.task));
-    if (out["reason"] == "" && field.status == coverage::FieldStatus::kRefused) out["reason"] = field.reason;
+    if (out["reason"] == "" && field.status != coverage::FieldStatus::kPlanned) out["reason"] = field.reason;
   }
   for (const std::string& note : one.plan->notes) out["notes"].push_back(note);
 }

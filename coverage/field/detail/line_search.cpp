@@ -233,9 +233,11 @@ std::vector<Candidate> LineSearch::candidates(const std::vector<Patch>& open,
         std::any_of(taken.begin(), taken.end(), [&](const PiecePtr& other) { return meet(*piece, *other); });
     if (!near) continue;
     directions.push_back(piece->band.line.along);
+    // A line that grazes a corner may come out as two: neither is the piece drawn on.
+    const double length = piece->segment.length_m();
     for (const Interval& inside : inside_of(polygon_, piece->band.line)) {
-      const double middle = piece->segment.length_m() / 2.0;
-      if (inside.from < middle && inside.to > middle) out.push_back({piece->band.line, inside, piece});
+      if (inside.from > kBetter_m || inside.to < length - kBetter_m) continue;
+      out.push_back({piece->band.line, {std::min(inside.from, 0.0), std::max(inside.to, length)}, piece});
     }
   }
   for (std::size_t i = 0; i < kDirections; ++i)

@@ -16,13 +16,20 @@ std::uint64_t task_count() {
   return asked != nullptr ? std::strtoull(asked, nullptr, 10) : 120;
 }
 
+/// To look again at one that failed.
+std::uint64_t first_seed() {
+  const char* asked = std::getenv("SWALLOWTAIL_REPLAY_FIRST");
+  return asked != nullptr ? std::strtoull(asked, nullptr, 10) : 1;
+}
+
 TEST(ReplayProperty, PlansOfRandomTasksHoldWhenTheyAreFlownStepByStep) {
   const std::uint64_t tasks = task_count();
+  const std::uint64_t first = first_seed();
   std::uint64_t planned = 0;
   std::uint64_t with_recharge = 0;
   std::uint64_t carried = 0;
   std::uint64_t short_of = 0;
-  for (std::uint64_t seed = 1; seed <= tasks; ++seed) {
+  for (std::uint64_t seed = first; seed < first + tasks; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const test::ReplayTask random = test::random_replay_task(seed);
     const auto plan = plan_coverage(random.task, random.terrain, random.options);
@@ -36,8 +43,7 @@ TEST(ReplayProperty, PlansOfRandomTasksHoldWhenTheyAreFlownStepByStep) {
     EXPECT_GE(verdict.least_energy, random.task.battery.reserve);
     with_recharge += plan->recharges > 0 ? 1 : 0;
     for (const Rendezvous& r : plan->rendezvous) carried += r.carry ? 1 : 0;
-    for (const FieldReport& field : plan->fields)
-      short_of += field.covered_m2 < 0.999 * field.area_m2 ? 1 : 0;
+    for (const FieldReport& field : plan->fields) short_of += field.status == FieldStatus::kPartly ? 1 : 0;
   }
   EXPECT_GE(planned, tasks * 3 / 4) << "too many tasks are infeasible to say much";
   EXPECT_GE(with_recharge, tasks / 4) << "the tasks are too easy to say anything";

@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "coverage/field/swath.hpp"
+
 namespace swallowtail::coverage {
 namespace {
 
@@ -118,6 +120,29 @@ TEST(SubCells, WhatCannotBePlannedComesBackRefusedWithItsReason) {
   CutParams params;
   params.max_length_m = -1.0;
   EXPECT_THAT(cut_field(square_field(), planner::Terrain::flat(0.0), params).reason, HasSubstr("battery"));
+}
+
+TEST(SubCells, TheLargestGapIsFoundWithAPlaceInIt) {
+  const std::vector<Polygon> field = {square_field().polygon};
+  std::vector<SubCell> cells;
+  const auto fly = [&](double y, double width_m) {
+    SubCell cell;
+    cell.alpha_m = Vec3(0, y, 20);
+    cell.beta_m = Vec3(100, y, 20);
+    cell.width_m = width_m;
+    cells.push_back(cell);
+  };
+  fly(5.0, 10.0);
+  fly(17.0, 10.0);
+  fly(35.0, 10.0);
+  const auto gap = largest_gap(field, cells);
+  ASSERT_TRUE(gap.has_value());
+  EXPECT_NEAR(gap->area_m2, 800.0, 1e-6);
+  EXPECT_GT(gap->place_m.y(), 22.0);
+  EXPECT_LT(gap->place_m.y(), 30.0);
+  EXPECT_TRUE(contains(field[0], gap->place_m));
+  fly(20.0, 40.0);
+  EXPECT_FALSE(largest_gap(field, cells).has_value());
 }
 
 }  // namespace
