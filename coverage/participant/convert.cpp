@@ -89,7 +89,7 @@ Task to_task(const data::CoverageTask& in) {
       const data::Point2& p = in.points.at(ring.first_point + i);
       points.emplace_back(p.x_m, p.y_m);
     }
-    Polygon& polygon = out.fields.at(ring.field_index).polygon;
+    Polygon& polygon = out.fields.at(ring.area_index).polygon;
     if (ring.is_hole) {
       polygon.holes.push_back(std::move(points));
     } else {

@@ -45,6 +45,11 @@ inline bool is_origin(const GeoOrigin& v) {
   return is_within(v.lat_deg, -90.0, 90.0) && is_within(v.lon_deg, -180.0, 180.0) && is_height(v.elevation_m);
 }
 
+/// Where charging slows down and what is left of its rate, see BatteryLimits.
+inline bool is_taper(double from, double end_rate) {
+  return is_within(from, 0.0, 1.0) && is_within(end_rate, 1e-3, 1.0);
+}
+
 /// Texts end at a NUL on the wire.
 inline bool is_text(const std::string& text, std::size_t bound) {
   return text.size() <= bound && text.find('\0') == std::string::npos;

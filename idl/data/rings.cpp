@@ -1,6 +1,7 @@
 #include "idl/data/rings.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bitset>
 #include <cstdint>
 #include <span>
@@ -75,21 +76,29 @@ Refusal check_rings(const CoverageTask& task) {
   for (const Point2& point : task.points) {
     if (!ranges::is_horizontal(point.x_m) || !ranges::is_horizontal(point.y_m)) return "point out of range";
   }
-  std::bitset<kMaxFields> outlined;
+  std::array<std::bitset<kMaxAreas>, 3> outlined;
+  std::array<std::size_t, 3> count{task.fields.size(), 0, 0};
   for (const Ring& ring : task.rings) {
-    if (ring.field_index >= task.fields.size()) return "ring of no field";
+    if (ring.kind > AreaKind::kNoDrive) return "enumerator out of range";
+    const auto kind = static_cast<std::size_t>(ring.kind);
+    if (ring.kind == AreaKind::kField && ring.area_index >= task.fields.size()) return "ring of no field";
+    if (ring.area_index >= kMaxAreas) return "area index above its bound";
     if (ring.point_count < 3) return "ring has under 3 points";
+    if (ring.point_count > kMaxRingPoints) return "ring above its bound";
     if (std::uint64_t{ring.first_point} + ring.point_count > task.points.size())
       return "ring outside the points";
-    if (outlined[ring.field_index] != ring.is_hole) {
-      return ring.is_hole ? "hole before its outline" : "field has two outlines";
+    if (outlined[kind][ring.area_index] != ring.is_hole) {
+      return ring.is_hole ? "hole before its outline" : "area has two outlines";
     }
-    outlined.set(ring.field_index);
+    outlined[kind].set(ring.area_index);
+    count[kind] = std::max<std::size_t>(count[kind], ring.area_index + 1);
     const std::span<const Point2> points(task.points.data() + ring.first_point, ring.point_count);
     if (crosses_itself(points)) return "ring crosses itself";
     if (twice_area(points) == 0.0) return "ring without area";
   }
-  if (outlined.count() != task.fields.size()) return "field without an outline";
+  for (std::size_t kind = 0; kind < count.size(); ++kind) {
+    if (outlined[kind].count() != count[kind]) return "area without an outline";
+  }
   return {};
 }
 

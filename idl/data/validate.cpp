@@ -12,6 +12,9 @@ namespace {
 
 using namespace ranges;
 
+constexpr std::uint32_t kMaxRotors = 64;
+constexpr double kMaxOverlap = 0.9;
+
 Refusal check(const VehicleLimits& limits) {
   if (!is_size(limits.radius_m)) return "vehicle radius out of range";
   if (!is_within(limits.margin_m, 0.0, kMaxSize_m)) return "vehicle margin out of range";
@@ -25,16 +28,71 @@ Refusal check(const VehicleLimits& limits) {
   return {};
 }
 
+Refusal check(const Multirotor& craft) {
+  for (const double value :
+       {craft.mass_kg, craft.payload_kg, craft.rotor_radius_m, craft.drag_area_m2, craft.solidity,
+        craft.blade_drag, craft.tip_speed_mps, craft.induced_factor, craft.efficiency, craft.avionics_w,
+        craft.air_density_kgpm3, craft.air_speed_max_mps}) {
+    if (!is_within(value, 0.0, kMaxPower)) return "multirotor out of range";
+  }
+  return craft.rotors >= 1 && craft.rotors <= kMaxRotors ? Refusal{} : "multirotor out of range";
+}
+
+Refusal check(const EnergyModel& model) {
+  for (const double rate :
+       {model.level_per_s, model.climb_per_s, model.descent_per_s, model.hover_per_s, model.landed_per_s}) {
+    if (!is_within(rate, 0.0, kMaxPower)) return "energy model out of range";
+  }
+  if (!is_within(model.altitude_per_m, 0.0, 1.0) || !is_height(model.altitude_from_m))
+    return "energy model out of range";
+  if (!(model.unit_j > 0.0 && model.unit_j <= kMaxEnergy)) return "energy unit out of range";
+  if (!is_within(model.wind_east_mps, -kMaxSpeed_mps, kMaxSpeed_mps) ||
+      !is_within(model.wind_north_mps, -kMaxSpeed_mps, kMaxSpeed_mps))
+    return "wind out of range";
+  return check(model.multirotor);
+}
+
+Refusal check(const FieldRules& rules) {
+  if (rules.headland > HeadlandUse::kFly) return "enumerator out of range";
+  if (!is_within(rules.overlap, 0.0, kMaxOverlap)) return "overlap out of range";
+  if (!is_angle(rules.sweep_rad)) return "sweep out of range";
+  if (!is_within(rules.headland_m, 0.0, kMaxSize_m)) return "headland out of range";
+  if (!is_within(rules.ceiling_m, 0.0, kMaxSize_m)) return "ceiling out of range";
+  if (rules.has_ceiling && rules.ceiling_m == 0.0) return "ceiling out of range";
+  return {};
+}
+
+Refusal check_roads(const CoverageTask& task) {
+  for (const Road& road : task.roads) {
+    if (road.point_count < 2) return "road has under 2 points";
+    if (std::uint64_t{road.first_point} + road.point_count > task.points.size())
+      return "road outside the points";
+  }
+  if (task.charger.ground.kind == GroundKind::kRoads && task.roads.empty()) return "charger without roads";
+  return {};
+}
+
 Refusal check(const BatteryLimits& battery) {
   if (!(battery.capacity > 0.0 && battery.capacity <= kMaxEnergy)) return "capacity out of range";
   if (!is_within(battery.reserve, 0.0, battery.capacity)) return "reserve above capacity";
   if (battery.levels < 1 || battery.levels > 1000) return "battery levels out of range";
   if (!is_within(battery.charge_s_per_unit, 0.0, kMaxEnergy)) return "charge time out of range";
-  const EnergyModel& model = battery.model;
-  for (const double rate :
-       {model.level_per_s, model.climb_per_s, model.descent_per_s, model.hover_per_s, model.landed_per_s}) {
-    if (!is_within(rate, 0.0, kMaxPower)) return "energy model out of range";
-  }
+  if (!is_taper(battery.taper_from, battery.taper_end_rate)) return "charging taper out of range";
+  return check(battery.model);
+}
+
+Refusal check(const GroundLimits& ground) {
+  if (ground.kind > GroundKind::kRough) return "enumerator out of range";
+  if (!is_speed(ground.off_road_speed_mps) || !is_within(ground.off_road_max_m, 0.0, kMaxHorizontal_m))
+    return "off-road limits out of range";
+  if (!is_within(ground.slope_max_rad, 0.0, kMaxClimb_rad)) return "slope limit out of range";
+  if (!is_size(ground.cell_m)) return "cell size out of range";
+  if (!is_horizontal(ground.area_min.x_m) || !is_horizontal(ground.area_min.y_m) ||
+      !is_horizontal(ground.area_max.x_m) || !is_horizontal(ground.area_max.y_m))
+    return "ground area out of range";
+  const bool has_area =
+      ground.area_min.x_m < ground.area_max.x_m && ground.area_min.y_m < ground.area_max.y_m;
+  if (ground.kind == GroundKind::kRough && !has_area) return "ground area is empty";
   return {};
 }
 
@@ -43,7 +101,7 @@ Refusal check(const ChargerLimits& charger) {
   if (!is_time(charger.take_off_s) || !is_time(charger.landing_s))
     return "charger handling time out of range";
   if (!is_position(charger.start)) return "charger start out of range";
-  return {};
+  return check(charger.ground);
 }
 
 /// Whether the vertices span a volume.
@@ -172,8 +230,8 @@ Refusal validate(const BatteryState& state) {
 Refusal validate(const CoverageTask& task) {
   if (!is_origin(task.origin)) return "geodetic origin out of range";
   if (task.fields.empty()) return "task without fields";
-  if (task.fields.size() > kMaxFields || task.rings.size() > kMaxRings ||
-      task.points.size() > kMaxRingPoints) {
+  if (task.fields.size() > kMaxFields || task.rings.size() > kMaxRings || task.roads.size() > kMaxRoads ||
+      task.points.size() > kMaxTaskPoints) {
     return "sequence above its bound";
   }
   for (const Field& field : task.fields) {
@@ -187,6 +245,8 @@ Refusal validate(const CoverageTask& task) {
   if (const Refusal refusal = check(task.vehicle)) return refusal;
   if (const Refusal refusal = check(task.battery)) return refusal;
   if (const Refusal refusal = check(task.charger)) return refusal;
+  if (const Refusal refusal = check(task.rules)) return refusal;
+  if (const Refusal refusal = check_roads(task)) return refusal;
   return check_rings(task);
 }
 

@@ -18,8 +18,8 @@ Refusal validate(const TerrainTile& tile);
 Refusal validate(const Obstacle& obstacle);
 Refusal validate(const VehicleState& state);
 Refusal validate(const BatteryState& state);
-Refusal validate(const CoverageTask& task);  // rings within points, ≥ 3 points each, outline first, no
-                                             // self-intersection of a ring
+Refusal validate(const CoverageTask& task);  // rings and roads within points, ≥ 3 and ≥ 2 points each,
+                                             // outline first, no self-intersection of a ring
 Refusal validate(const Goal& goal);
 Refusal validate(const MissionClock& clock);
 Refusal validate(const CoveragePlan& plan);

@@ -20,10 +20,39 @@ Refusal check(const Leg& leg) {
   return {};
 }
 
+/// Ways follow one another in the pool of bends, so that none counts twice. `next` is where the one before
+/// ended.
+Refusal check_way(std::uint32_t first, std::uint32_t count, std::size_t size, std::uint64_t& next) {
+  if (count == 0) return {};
+  const std::uint64_t end = std::uint64_t{first} + count;
+  if (end > size) return "way outside the bends";
+  if (first < next) return "ways share bends";
+  next = end;
+  return {};
+}
+
+Refusal check_bends(const std::vector<Vec3>& bends) {
+  if (bends.size() > kMaxBends) return "sequence above its bound";
+  for (const Vec3& bend : bends) {
+    if (!is_position(bend)) return "bend out of range";
+  }
+  return {};
+}
+
+Refusal check(const Rendezvous& meeting) {
+  if (!is_position(meeting.site) || !is_position(meeting.carry_to)) return "site out of range";
+  if (!is_time(meeting.arrive_by_s) || !is_time(meeting.depart_s)) return "time out of range";
+  if (meeting.depart_s < meeting.arrive_by_s) return "rendezvous ends before it starts";
+  if (!is_energy(meeting.charge_to)) return "charge level out of range";
+  if (!is_speed(meeting.speed_mps) || !is_speed(meeting.carry_speed_mps)) return "charger speed out of range";
+  return {};
+}
+
 }  // namespace
 
 Refusal validate(const CoveragePlan& plan) {
   if (plan.legs.size() > kMaxLegs) return "sequence above its bound";
+  if (const Refusal refusal = check_bends(plan.bends)) return refusal;
   if (plan.legs_done > plan.legs.size()) return "more legs done than there are";
   if (!is_time(plan.basis.battery_time_s) || !is_time(plan.basis.vehicle_time_s)) return "time out of range";
   if (!is_energy(plan.basis.battery_energy)) return "basis energy out of range";
@@ -31,9 +60,12 @@ Refusal validate(const CoveragePlan& plan) {
   if (!is_time(plan.makespan_s)) return "makespan out of range";
   if (!is_total(plan.field_area_m2)) return "area out of range";
   if (!is_text(plan.reason, kReasonLength)) return "text above its bound";
+  std::uint64_t next_bend = 0;
   for (std::size_t i = 0; i < plan.legs.size(); ++i) {
     const Leg& leg = plan.legs[i];
     if (const Refusal refusal = check(leg)) return refusal;
+    if (const Refusal refusal = check_way(leg.first_bend, leg.bend_count, plan.bends.size(), next_bend))
+      return refusal;
     if (leg.transfer == Transfer::kEnd && i + 1 < plan.legs.size()) return "plan ends before its last leg";
     // Legs that are done keep their times; only those ahead are timed together.
     if (i > plan.legs_done && leg.start_s < plan.legs[i - 1].end_s - kSameTime_s)
@@ -48,12 +80,18 @@ Refusal validate(const ChargerPlan& plan) {
   if (!is_within(plan.charge_s_per_unit, 0.0, kMaxEnergy)) return "charge time out of range";
   if (!is_time(plan.landing_s) || !is_time(plan.take_off_s)) return "charger handling time out of range";
   if (!is_position(plan.start)) return "charger start out of range";
+  if (!is_taper(plan.taper_from, plan.taper_end_rate)) return "charging taper out of range";
+  if (const Refusal refusal = check_bends(plan.bends)) return refusal;
+  std::uint64_t next_bend = 0;
   for (std::size_t i = 0; i < plan.rendezvous.size(); ++i) {
     const Rendezvous& meeting = plan.rendezvous[i];
-    if (!is_position(meeting.site) || !is_position(meeting.carry_to)) return "site out of range";
-    if (!is_time(meeting.arrive_by_s) || !is_time(meeting.depart_s)) return "time out of range";
-    if (meeting.depart_s < meeting.arrive_by_s) return "rendezvous ends before it starts";
-    if (!is_energy(meeting.charge_to)) return "charge level out of range";
+    if (const Refusal refusal = check(meeting)) return refusal;
+    if (const Refusal refusal =
+            check_way(meeting.first_bend, meeting.bend_count, plan.bends.size(), next_bend))
+      return refusal;
+    if (const Refusal refusal =
+            check_way(meeting.carry_first_bend, meeting.carry_bend_count, plan.bends.size(), next_bend))
+      return refusal;
     if (i > 0 && meeting.rendezvous_id <= plan.rendezvous[i - 1].rendezvous_id)
       return "rendezvous ids not growing";
   }

@@ -40,7 +40,7 @@ data::CoverageTask bow_tie() {
   sample.vehicle_id = kOurs;
   sample.fields = {{.field_id = 1, .height_m = 12.0}};
   sample.points = {{0, 0}, {100, 100}, {100, 0}, {0, 100}};
-  sample.rings = {{.field_index = 0, .first_point = 0, .point_count = 4, .is_hole = false}};
+  sample.rings = {{.area_index = 0, .first_point = 0, .point_count = 4, .is_hole = false}};
   return sample;
 }
 

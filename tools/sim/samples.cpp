@@ -99,7 +99,7 @@ struct FillShape {
 };
 
 void add_ring(data::CoverageTask& task, const coverage::Ring& ring, bool is_hole) {
-  task.rings.push_back({.field_index = static_cast<std::uint32_t>(task.fields.size() - 1),
+  task.rings.push_back({.area_index = static_cast<std::uint32_t>(task.fields.size() - 1),
                         .first_point = static_cast<std::uint32_t>(task.points.size()),
                         .point_count = static_cast<std::uint32_t>(ring.size()),
                         .is_hole = is_hole});

@@ -4,6 +4,13 @@ namespace swallowtail::codec::fast {
 
 namespace {
 
+data::Refusal get_bend(const swallowtail_wire::Vector3& w, data::Vec3& d) {
+  d = vec3(w);
+  return {};
+}
+
+void put_bend(const data::Vec3& d, swallowtail_wire::Vector3& w) { w = vec3(d); }
+
 data::Refusal get_leg(const swallowtail_wire::Leg& w, data::Leg& d) {
   d.sub_cell_id = w.sub_cell_id();
   if (!get_enum(w.kind(), data::LegKind::kReposition, d.kind)) return kBadEnumerator;
@@ -15,6 +22,8 @@ data::Refusal get_leg(const swallowtail_wire::Leg& w, data::Leg& d) {
   d.energy_after = w.energy_after();
   d.start_s = w.start_s();
   d.end_s = w.end_s();
+  d.first_bend = w.first_bend();
+  d.bend_count = w.bend_count();
   return {};
 }
 
@@ -29,6 +38,8 @@ void put_leg(const data::Leg& d, swallowtail_wire::Leg& w) {
   w.energy_after() = d.energy_after;
   w.start_s() = d.start_s;
   w.end_s() = d.end_s;
+  w.first_bend() = d.first_bend;
+  w.bend_count() = d.bend_count;
 }
 
 data::Refusal get_coverage_basis(const swallowtail_wire::CoverageBasis& w, data::CoverageBasis& d) {
@@ -56,6 +67,12 @@ data::Refusal get_rendezvous(const swallowtail_wire::Rendezvous& w, data::Rendez
   d.charge_to = w.charge_to();
   d.carry = w.carry();
   d.carry_to = vec3(w.carry_to());
+  d.first_bend = w.first_bend();
+  d.bend_count = w.bend_count();
+  d.speed_mps = w.speed_mps();
+  d.carry_first_bend = w.carry_first_bend();
+  d.carry_bend_count = w.carry_bend_count();
+  d.carry_speed_mps = w.carry_speed_mps();
   return {};
 }
 
@@ -67,6 +84,12 @@ void put_rendezvous(const data::Rendezvous& d, swallowtail_wire::Rendezvous& w) 
   w.charge_to() = d.charge_to;
   w.carry() = d.carry;
   w.carry_to() = vec3(d.carry_to);
+  w.first_bend() = d.first_bend;
+  w.bend_count() = d.bend_count;
+  w.speed_mps() = d.speed_mps;
+  w.carry_first_bend() = d.carry_first_bend;
+  w.carry_bend_count() = d.carry_bend_count;
+  w.carry_speed_mps() = d.carry_speed_mps;
 }
 
 data::Refusal get_timed_waypoint(const swallowtail_wire::TimedWaypoint& w, data::TimedWaypoint& d) {
@@ -115,6 +138,7 @@ data::Refusal to_data(const swallowtail_wire::CoveragePlan& w, data::CoveragePla
   d.complete = w.complete();
   get_text(w.reason(), d.reason);
   if (const auto refusal = get_sequence(w.legs(), data::kMaxLegs, d.legs, get_leg)) return refusal;
+  if (const auto refusal = get_sequence(w.bends(), data::kMaxBends, d.bends, get_bend)) return refusal;
   return {};
 }
 
@@ -130,6 +154,7 @@ void to_wire(const data::CoveragePlan& d, swallowtail_wire::CoveragePlan& w) {
   w.complete() = d.complete;
   put_text(d.reason, w.reason());
   put_sequence(d.legs, w.legs(), put_leg);
+  put_sequence(d.bends, w.bends(), put_bend);
 }
 
 data::Refusal to_data(const swallowtail_wire::ChargerPlan& w, data::ChargerPlan& d) {
@@ -139,11 +164,14 @@ data::Refusal to_data(const swallowtail_wire::ChargerPlan& w, data::ChargerPlan&
   d.revision = w.revision();
   d.speed_mps = w.speed_mps();
   d.charge_s_per_unit = w.charge_s_per_unit();
+  d.taper_from = w.taper_from();
+  d.taper_end_rate = w.taper_end_rate();
   d.landing_s = w.landing_s();
   d.take_off_s = w.take_off_s();
   d.start = vec3(w.start());
   if (const auto refusal = get_sequence(w.rendezvous(), data::kMaxRendezvous, d.rendezvous, get_rendezvous))
     return refusal;
+  if (const auto refusal = get_sequence(w.bends(), data::kMaxBends, d.bends, get_bend)) return refusal;
   return {};
 }
 
@@ -154,10 +182,13 @@ void to_wire(const data::ChargerPlan& d, swallowtail_wire::ChargerPlan& w) {
   w.revision() = d.revision;
   w.speed_mps() = d.speed_mps;
   w.charge_s_per_unit() = d.charge_s_per_unit;
+  w.taper_from() = d.taper_from;
+  w.taper_end_rate() = d.taper_end_rate;
   w.landing_s() = d.landing_s;
   w.take_off_s() = d.take_off_s;
   w.start() = vec3(d.start);
   put_sequence(d.rendezvous, w.rendezvous(), put_rendezvous);
+  put_sequence(d.bends, w.bends(), put_bend);
 }
 
 data::Refusal to_data(const swallowtail_wire::PathPlan& w, data::PathPlan& d) {

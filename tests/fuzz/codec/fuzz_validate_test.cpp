@@ -71,7 +71,8 @@ TEST(FuzzValidate, RandomNumbersNeverCrash) {
         for (auto& ring : sample.rings) {
           ring = {static_cast<std::uint32_t>(rng() >> rng.below(64)),
                   static_cast<std::uint32_t>(rng() >> rng.below(64)),
-                  static_cast<std::uint32_t>(rng() >> rng.below(64)), rng.below(2) == 0};
+                  static_cast<std::uint32_t>(rng() >> rng.below(64)), rng.below(2) == 0,
+                  static_cast<data::AreaKind>(rng.below(4))};
         }
         EXPECT_TRUE(data::validate(sample)) << "seed " << seed;
       } else if constexpr (requires { sample.tile_rows; }) {

@@ -56,6 +56,62 @@ class Draw {
   Rng& rng_;
 };
 
+/// One outline for each field, then no-fly and no-drive areas, holes of the first field, and roads; all rings
+/// circles of their own.
+void fill_areas(CoverageTask& s, Draw& draw, Extent extent, Rng& rng) {
+  const bool full = extent == Extent::kFull;
+  const auto add_points = [&](std::uint32_t count) {
+    const Point2 centre{rng.uniform(-9e5, 9e5), rng.uniform(-9e5, 9e5)};
+    for (std::uint32_t k = 0; k < count; ++k) {
+      const double angle = 6.283185307179586 * k / count;
+      s.points.push_back({centre.x_m + 1e3 * std::cos(angle), centre.y_m + 1e3 * std::sin(angle)});
+    }
+  };
+  const auto add_ring = [&](std::uint32_t area, AreaKind kind, bool is_hole) {
+    const std::uint32_t count = full ? 12 : 3 + static_cast<std::uint32_t>(rng.below(14));
+    s.rings.push_back({area, static_cast<std::uint32_t>(s.points.size()), count, is_hole, kind});
+    add_points(count);
+  };
+  for (std::uint32_t i = 0; i < s.fields.size(); ++i) add_ring(i, AreaKind::kField, false);
+  const std::uint32_t others = full ? 100 : static_cast<std::uint32_t>(draw.length(4));
+  for (const AreaKind kind : {AreaKind::kNoFly, AreaKind::kNoDrive}) {
+    for (std::uint32_t i = 0; i < others; ++i) add_ring(i, kind, false);
+  }
+  if (others > 0) add_ring(0, AreaKind::kNoFly, true);
+  const std::size_t rings = std::max(s.rings.size(), draw.length(kMaxRings, 1));
+  while (s.rings.size() < rings) add_ring(0, AreaKind::kField, true);
+  s.roads.resize(draw.length(kMaxRoads));
+  for (Road& road : s.roads) {
+    road = {static_cast<std::uint32_t>(s.points.size()), 2 + static_cast<std::uint32_t>(rng.below(3))};
+    add_points(road.point_count);
+  }
+  if (full) add_points(static_cast<std::uint32_t>(kMaxTaskPoints - s.points.size()));
+}
+
+void fill_model(EnergyModel& m, Draw& draw) {
+  m = {draw.in(0, 1e6), draw.in(0, 1e6), draw.in(0, 1e6), draw.in(0, 1e6), draw.in(0, 1e6)};
+  m.altitude_per_m = draw.in(0, 1);
+  m.altitude_from_m = draw.in(-1e3, 2e4);
+  m.is_multirotor = draw.coin();
+  Multirotor& craft = m.multirotor;
+  craft.rotors = 1 + static_cast<std::uint32_t>(draw.length(63));
+  for (double* value :
+       {&craft.mass_kg, &craft.payload_kg, &craft.rotor_radius_m, &craft.drag_area_m2, &craft.solidity,
+        &craft.blade_drag, &craft.tip_speed_mps, &craft.induced_factor, &craft.efficiency, &craft.avionics_w,
+        &craft.air_density_kgpm3, &craft.air_speed_max_mps}) {
+    *value = draw.in(0, 1e6);
+  }
+  m.unit_j = draw.positive(1e9);
+  m.wind_east_mps = draw.in(-200, 200);
+  m.wind_north_mps = draw.in(-200, 200);
+}
+
+/// The next part of a pool of bends.
+std::uint32_t draw_bends(std::vector<Vec3>& bends, std::uint32_t count, Draw& draw) {
+  for (std::uint32_t i = 0; i < count; ++i) bends.push_back(draw.position());
+  return count;
+}
+
 }  // namespace
 
 void fill(TerrainTile& s, Extent extent, Rng& rng) {
@@ -126,20 +182,7 @@ void fill(CoverageTask& s, Extent extent, Rng& rng) {
   s = {.task_id = draw.id(), .revision = draw.id(), .vehicle_id = draw.id(), .origin = draw.origin()};
   s.fields.resize(draw.length(kMaxFields, 1));
   for (Field& field : s.fields) field = {draw.id(), draw.positive(1e4)};
-  // One outline for each field, then holes of the first, all circles of their own.
-  const std::size_t rings = std::max(s.fields.size(), draw.length(kMaxRings, 1));
-  for (std::size_t i = 0; i < rings; ++i) {
-    const bool is_hole = i >= s.fields.size();
-    const auto first = static_cast<std::uint32_t>(s.points.size());
-    const std::uint32_t count =
-        extent == Extent::kFull ? kMaxRingPoints / kMaxRings : 3 + static_cast<std::uint32_t>(rng.below(14));
-    s.rings.push_back({is_hole ? 0 : static_cast<std::uint32_t>(i), first, count, is_hole});
-    const Point2 centre{rng.uniform(-9e5, 9e5), rng.uniform(-9e5, 9e5)};
-    for (std::uint32_t k = 0; k < count; ++k) {
-      const double angle = 6.283185307179586 * k / count;
-      s.points.push_back({centre.x_m + 1e3 * std::cos(angle), centre.y_m + 1e3 * std::sin(angle)});
-    }
-  }
+  fill_areas(s, draw, extent, rng);
   s.sensor_width_m = draw.positive(1e4);
   s.height_tolerance_m = draw.positive(1e4);
   s.height_band_m = draw.in(0, 1e4);
@@ -148,8 +191,25 @@ void fill(CoverageTask& s, Extent extent, Rng& rng) {
   s.battery = {.capacity = draw.positive(1e9), .levels = 1 + static_cast<std::uint32_t>(draw.length(999))};
   s.battery.reserve = draw.in(0, s.battery.capacity);
   s.battery.charge_s_per_unit = draw.in(0, 1e6);
-  s.battery.model = {draw.in(0, 1e6), draw.in(0, 1e6), draw.in(0, 1e6), draw.in(0, 1e6), draw.in(0, 1e6)};
+  s.battery.taper_from = draw.in(0, 1);
+  s.battery.taper_end_rate = draw.in(1e-3, 1);
+  fill_model(s.battery.model, draw);
   s.charger = {draw.id(), draw.in(0, 200), draw.time(), draw.time(), draw.position()};
+  s.charger.ground = {.kind = s.roads.empty() ? GroundKind::kOpen : draw.any(GroundKind::kRough),
+                      .off_road_speed_mps = draw.in(0, 200),
+                      .off_road_max_m = draw.in(0, 1e6),
+                      .slope_max_rad = draw.in(0, 1.57),
+                      .cell_m = draw.positive(1e4),
+                      .area_min = {draw.in(-1e6, -1e3), draw.in(-1e6, -1e3)},
+                      .area_max = {draw.in(0, 1e6), draw.in(0, 1e6)}};
+  s.rules = {.overlap = draw.in(0, 0.9),
+             .has_sweep = draw.coin(),
+             .sweep_rad = draw.in(-3.14, 3.14),
+             .headland = draw.any(HeadlandUse::kFly),
+             .headland_m = draw.in(0, 1e4),
+             .lines_beyond_borders = draw.coin(),
+             .has_ceiling = draw.coin(),
+             .ceiling_m = draw.positive(1e4)};
   s.start = draw.position();
   s.seed = draw.wide();
   s.has_terrain = draw.coin();
@@ -194,6 +254,9 @@ void fill(CoveragePlan& s, Extent extent, Rng& rng) {
     leg.energy_after = draw.in(0, 1e9);
     leg.start_s = time_s;
     leg.end_s = time_s += rng.uniform(0, 100);
+    leg.first_bend = static_cast<std::uint32_t>(s.bends.size());
+    leg.bend_count =
+        draw_bends(s.bends, extent == Extent::kFull ? 2 : static_cast<std::uint32_t>(rng.below(3)), draw);
   }
 }
 
@@ -202,6 +265,8 @@ void fill(ChargerPlan& s, Extent extent, Rng& rng) {
   s = {.charger_id = draw.id(), .task_id = draw.id(), .vehicle_id = draw.id(), .revision = draw.id()};
   s.speed_mps = draw.in(0, 200);
   s.charge_s_per_unit = draw.in(0, 1e6);
+  s.taper_from = draw.in(0, 1);
+  s.taper_end_rate = draw.in(1e-3, 1);
   s.landing_s = draw.time();
   s.take_off_s = draw.time();
   s.start = draw.position();
@@ -214,6 +279,13 @@ void fill(ChargerPlan& s, Extent extent, Rng& rng) {
     r.charge_to = draw.in(0, 1e9);
     r.carry = draw.coin();
     r.carry_to = draw.position();
+    r.speed_mps = draw.in(0, 200);
+    r.carry_speed_mps = draw.in(0, 200);
+    const bool full = extent == Extent::kFull;
+    r.first_bend = static_cast<std::uint32_t>(s.bends.size());
+    r.bend_count = draw_bends(s.bends, full ? 4 : static_cast<std::uint32_t>(rng.below(3)), draw);
+    r.carry_first_bend = static_cast<std::uint32_t>(s.bends.size());
+    r.carry_bend_count = draw_bends(s.bends, full ? 4 : static_cast<std::uint32_t>(rng.below(3)), draw);
   }
 }
 

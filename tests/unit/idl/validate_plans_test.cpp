@@ -41,8 +41,24 @@ TEST(ValidatePlans, CoveragePlanMustBeOrderedAndBounded) {
             "enumerator out of range");
 }
 
+TEST(ValidatePlans, WaysMustBendAtBendsOfTheirOwn) {
+  using T = data::CoveragePlan;
+  EXPECT_EQ(after<T>([](T& p) { p.bends.resize(data::kMaxBends + 1); }), "sequence above its bound");
+  EXPECT_EQ(after<T>([](T& p) { p.bends.back().x_m = kNan; }), "bend out of range");
+  EXPECT_EQ(after<T>([](T& p) { p.bends.pop_back(); }), "way outside the bends");
+  EXPECT_EQ(after<T>([](T& p) { p.legs[3].first_bend = ~0u; }), "way outside the bends");
+  EXPECT_EQ(after<T>([](T& p) { p.legs[3].first_bend -= 1; }), "ways share bends");
+  using C = data::ChargerPlan;
+  EXPECT_EQ(after<C>([](C& p) { p.bends.front().z_m = kNan; }), "bend out of range");
+  EXPECT_EQ(after<C>([](C& p) { p.rendezvous[3].carry_first_bend = p.rendezvous[3].first_bend; }),
+            "ways share bends");
+  EXPECT_EQ(after<C>([](C& p) { p.rendezvous.back().carry_bend_count += 1; }), "way outside the bends");
+  EXPECT_EQ(after<C>([](C& p) { p.rendezvous[3].speed_mps = kNan; }), "charger speed out of range");
+}
+
 TEST(ValidatePlans, ChargerPlanMustBeOrdered) {
   using T = data::ChargerPlan;
+  EXPECT_EQ(after<T>([](T& p) { p.taper_from = -0.1; }), "charging taper out of range");
   EXPECT_EQ(after<T>([](T& p) { p.rendezvous[5].rendezvous_id = p.rendezvous[4].rendezvous_id; }),
             "rendezvous ids not growing");
   EXPECT_EQ(after<T>([](T& p) { p.rendezvous[5].depart_s = p.rendezvous[5].arrive_by_s - 1; }),

@@ -119,7 +119,7 @@ TEST(Validate, TaskMustHaveProperRings) {
   EXPECT_EQ(data::validate(task_with({{0, 0}, {kNan, 0}, {10, 10}})), "point out of range");
   auto task = task_with(square);
   task.rings.push_back({0, 0, 4, false});
-  EXPECT_EQ(data::validate(task), "field has two outlines");
+  EXPECT_EQ(data::validate(task), "area has two outlines");
   task.rings[1] = {1, 0, 4, false};
   EXPECT_EQ(data::validate(task), "ring of no field");
   task.rings[1] = {0, 2, 3, true};
@@ -132,7 +132,58 @@ TEST(Validate, TaskMustHaveProperRings) {
   EXPECT_EQ(data::validate(task), "hole before its outline");
   task = task_with(square);
   task.fields.push_back({2, 10.0});
-  EXPECT_EQ(data::validate(task), "field without an outline");
+  EXPECT_EQ(data::validate(task), "area without an outline");
+}
+
+TEST(Validate, AreasOfEachKindAreCountedFromZero) {
+  using enum data::AreaKind;
+  auto task = task_with({{0, 0}, {10, 0}, {10, 10}, {0, 10}});
+  task.rings.push_back({0, 0, 4, false, kNoFly});
+  task.rings.push_back({0, 0, 4, true, kNoFly});
+  task.rings.push_back({0, 0, 4, false, kNoDrive});
+  EXPECT_EQ(data::validate(task), data::Refusal{});
+  task.rings[3].area_index = 1;
+  EXPECT_EQ(data::validate(task), "area without an outline");
+  task.rings[3] = {0, 0, 4, true, kNoDrive};
+  EXPECT_EQ(data::validate(task), "hole before its outline");
+  task.rings[3] = {data::kMaxAreas, 0, 4, false, kNoDrive};
+  EXPECT_EQ(data::validate(task), "area index above its bound");
+  task.rings[3] = {0, 0, 4, false, static_cast<data::AreaKind>(3)};
+  EXPECT_EQ(data::validate(task), "enumerator out of range");
+}
+
+TEST(Validate, TaskMustHaveProperRulesAndGround) {
+  using T = data::CoverageTask;
+  EXPECT_EQ(after<T>([](T& t) { t.rules.overlap = 0.91; }), "overlap out of range");
+  EXPECT_EQ(after<T>([](T& t) { t.rules.sweep_rad = kNan; }), "sweep out of range");
+  EXPECT_EQ(after<T>([](T& t) { t.rules.headland_m = -1.0; }), "headland out of range");
+  EXPECT_EQ(after<T>([](T& t) { t.rules.headland = static_cast<data::HeadlandUse>(3); }),
+            "enumerator out of range");
+  EXPECT_EQ(after<T>([](T& t) { t.rules.has_ceiling = true, t.rules.ceiling_m = 0.0; }),
+            "ceiling out of range");
+  EXPECT_EQ(after<T>([](T& t) { t.roads = {{0, 1}}; }), "road has under 2 points");
+  EXPECT_EQ(after<T>([](T& t) { t.roads = {{~0u, 2}}; }), "road outside the points");
+  EXPECT_EQ(after<T>([](T& t) { t.roads.clear(), t.charger.ground.kind = data::GroundKind::kRoads; }),
+            "charger without roads");
+  EXPECT_EQ(after<T>([](T& t) {
+              t.charger.ground.kind = data::GroundKind::kRough;
+              t.charger.ground.area_max = t.charger.ground.area_min;
+            }),
+            "ground area is empty");
+  EXPECT_EQ(after<T>([](T& t) { t.charger.ground.slope_max_rad = kNan; }), "slope limit out of range");
+  EXPECT_EQ(after<T>([](T& t) { t.charger.ground.cell_m = 0.0; }), "cell size out of range");
+  EXPECT_EQ(after<T>([](T& t) { t.charger.ground.off_road_max_m = -1.0; }), "off-road limits out of range");
+}
+
+TEST(Validate, EnergyModelMustBeFinite) {
+  using T = data::CoverageTask;
+  EXPECT_EQ(after<T>([](T& t) { t.battery.taper_from = 1.1; }), "charging taper out of range");
+  EXPECT_EQ(after<T>([](T& t) { t.battery.taper_end_rate = 0.0; }), "charging taper out of range");
+  EXPECT_EQ(after<T>([](T& t) { t.battery.model.altitude_per_m = -0.1; }), "energy model out of range");
+  EXPECT_EQ(after<T>([](T& t) { t.battery.model.unit_j = 0.0; }), "energy unit out of range");
+  EXPECT_EQ(after<T>([](T& t) { t.battery.model.wind_north_mps = kInf; }), "wind out of range");
+  EXPECT_EQ(after<T>([](T& t) { t.battery.model.multirotor.rotors = 0; }), "multirotor out of range");
+  EXPECT_EQ(after<T>([](T& t) { t.battery.model.multirotor.mass_kg = kNan; }), "multirotor out of range");
 }
 
 TEST(Validate, TaskMustHaveUsableLimits) {

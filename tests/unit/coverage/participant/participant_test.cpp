@@ -18,7 +18,7 @@ data::CoverageTask square_task() {
   task.vehicle_id = 5;
   task.charger.charger_id = 2;
   task.fields.push_back({.field_id = 1, .height_m = 20.0});
-  task.rings.push_back({.field_index = 0, .first_point = 0, .point_count = 4, .is_hole = false});
+  task.rings.push_back({.area_index = 0, .first_point = 0, .point_count = 4, .is_hole = false});
   task.points = {{0, 0}, {100, 0}, {100, 60}, {0, 60}};
   task.sensor_width_m = 10.0;
   task.battery.capacity = 120.0;
@@ -135,7 +135,7 @@ TEST_F(CoverageParticipantTest, RefusesWhatDoesNotFitAndChangesNothing) {
   ASSERT_EQ(plans_.size(), 1U);
   data::CoverageTask holed = square_task();
   holed.revision = 2;
-  holed.rings.push_back({.field_index = 0, .first_point = 4, .point_count = 3, .is_hole = true});
+  holed.rings.push_back({.area_index = 0, .first_point = 4, .point_count = 3, .is_hole = true});
   holed.points.insert(holed.points.end(), {{500, 500}, {510, 500}, {505, 510}});
   ASSERT_TRUE(tasks_->publish(holed));
   step();
