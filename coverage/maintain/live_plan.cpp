@@ -1,12 +1,14 @@
 #include "coverage/maintain/live_plan.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace swallowtail::coverage {
 
 LivePlan live_plan(const Plan& plan) {
   LivePlan out;
   out.legs = plan.legs;
+  out.approach_m = plan.approach_m;
   out.rendezvous = plan.rendezvous;
   out.end_s = plan.makespan_s;
   out.area_m2 = plan.area_m2;
@@ -20,6 +22,11 @@ LivePlan live_plan(const Plan& plan) {
     }
   }
   return out;
+}
+
+void set_approach(LivePlan& plan, std::vector<Vec3> bends_m) {
+  std::vector<Vec3>& way = plan.legs_done == 0 ? plan.approach_m : plan.legs[plan.legs_done - 1].transfer_m;
+  way = std::move(bends_m);
 }
 
 void shift_times(LivePlan& plan, std::size_t first_leg, double delay_s) {

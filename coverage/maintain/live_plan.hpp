@@ -13,6 +13,7 @@ struct LivePlan {
   std::uint32_t revision = 1;
   std::string reason = "first plan";
   std::vector<Leg> legs;
+  std::vector<Vec3> approach_m{};      ///< where the flight from the start to the first leg bends, in order
   std::vector<Rendezvous> rendezvous;  ///< those ahead, the one under way included
   std::size_t legs_done = 0;
   double end_s = 0.0;  ///< predicted last landing
@@ -24,6 +25,9 @@ struct LivePlan {
 };
 
 LivePlan live_plan(const Plan& plan);
+
+/// Where the way to the next leg bends, now that it begins elsewhere than at the exit of the leg before.
+void set_approach(LivePlan& plan, std::vector<Vec3> bends_m);
 
 /// Takes the aircraft's legs and meetings that are not over by `delay_s` later (or earlier).
 void shift_times(LivePlan& plan, std::size_t first_leg, double delay_s);

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "coverage/maintain/plan_keeper.hpp"
 
@@ -95,6 +96,7 @@ Vec3 PlanKeeper::point_ahead() const {
 
 void PlanKeeper::adopt(RestPlan rest, const std::string& reason) {
   plan_.legs.resize(plan_.legs_done);
+  if (!rest.legs.empty()) set_approach(plan_, std::move(rest.approach_m));
   // What was to follow the last flown leg follows no longer: aloft it flies on, on the ground it stands where
   // it is.
   if (plan_.legs_done > 0 && !rest.legs.empty()) {
@@ -281,6 +283,7 @@ void PlanKeeper::start_over_after(const AircraftView& vehicle) {
   Leg point = point_leg(vehicle.position_m);
   point.transfer = Transfer::kFF;
   std::vector<Leg> prefix(vehicle.legs_done, point);
+  if (!prefix.empty()) prefix.back().transfer_m = std::exchange(plan_.approach_m, {});
   plan_.legs.insert(plan_.legs.begin(), prefix.begin(), prefix.end());
   for (Rendezvous& meeting : plan_.rendezvous)
     meeting.id += static_cast<std::uint32_t>(2 * vehicle.legs_done);

@@ -39,6 +39,10 @@ std::optional<RestPlan> plan_rest(const Rest& rest, const ScheduleStart& start, 
     expansion.legs[i].kind = rest.legs[visits[i].sub_cell].kind;
   }
   out.legs = std::move(expansion.legs);
+  out.approach_m = std::move(expansion.approach_m);
+  // By the time it is flown the aircraft is somewhere on its way.
+  if (start.kind == StartKind::kAir && !out.approach_m.empty())
+    out.approach_m.insert(out.approach_m.begin(), start.position_m);
   out.rendezvous = std::move(expansion.rendezvous);
   out.first = schedule->first;
   out.end_s = schedule->end_s;

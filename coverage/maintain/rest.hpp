@@ -23,6 +23,8 @@ struct RestParams {
 
 struct RestPlan {
   std::vector<Leg> legs;
+  /// Where the way from the start to the first of them bends; aloft and not straight, from where it began on.
+  std::vector<Vec3> approach_m;
   std::vector<Rendezvous> rendezvous;
   std::optional<Recharge> first;  ///< when it starts docked
   double end_s = 0.0;
