@@ -11,22 +11,6 @@ constexpr std::size_t kMaxReason = 128;
 Vec3 to_vec(const data::Vec3& v) { return {v.x_m, v.y_m, v.z_m}; }
 data::Vec3 to_data(const Vec3& v) { return {.x_m = v.x(), .y_m = v.y(), .z_m = v.z()}; }
 
-planner::VehicleLimits to_limits(const data::VehicleLimits& v) {
-  return {v.radius_m,          v.margin_m,     v.cruise_speed_mps, v.climb_speed_mps,
-          v.descent_speed_mps, v.turn_max_rad, v.climb_max_rad};
-}
-
-Battery to_battery(const data::BatteryLimits& b) {
-  const data::EnergyModel& m = b.model;
-  Battery out;
-  out.capacity = b.capacity;
-  out.reserve = b.reserve;
-  out.levels = static_cast<int>(std::min<std::uint32_t>(b.levels, 1000));
-  out.charge_s_per_unit = b.charge_s_per_unit;
-  out.model = {m.level_per_s, m.climb_per_s, m.descent_per_s, m.hover_per_s, m.landed_per_s};
-  return out;
-}
-
 AircraftMode to_mode(data::VehicleMode mode) {
   switch (mode) {
     case data::VehicleMode::kLanded:
@@ -43,6 +27,19 @@ AircraftMode to_mode(data::VehicleMode mode) {
       return AircraftMode::kFlying;
   }
   return AircraftMode::kFlying;
+}
+
+/// A part of a plan's bends.
+struct Part {
+  std::uint32_t first = 0;
+  std::uint32_t count = 0;
+};
+
+Part add_bends(const std::vector<Vec3>& bends, std::vector<data::Vec3>& pool) {
+  if (bends.empty()) return {};
+  const Part out{static_cast<std::uint32_t>(pool.size()), static_cast<std::uint32_t>(bends.size())};
+  for (const Vec3& bend : bends) pool.push_back(to_data(bend));
+  return out;
 }
 
 data::Leg to_data(const Leg& leg) {
@@ -72,50 +69,72 @@ data::Rendezvous to_data(const Rendezvous& meeting) {
   return out;
 }
 
-}  // namespace
+/// How the robot drives from one place to another.
+struct RobotWay {
+  std::vector<Vec3> bends_m{};  ///< beginning with where it comes from; empty: straight
+  double speed_mps = 0.0;       ///< that it has on the whole
+};
 
-Task to_task(const data::CoverageTask& in) {
-  Task out;
-  out.id = in.task_id;
-  out.revision = in.revision;
-  out.vehicle_id = in.vehicle_id;
-  out.origin = planner::GeoOrigin{in.origin.lat_deg, in.origin.lon_deg, in.origin.elevation_m};
-  for (const data::Field& field : in.fields) {
-    out.fields.push_back({field.field_id, "field " + std::to_string(field.field_id), {}, field.height_m});
+RobotWay robot_way(const Charger& charger, const planner::Terrain& terrain, const Vec3& from,
+                   const Vec3& to) {
+  RobotWay out{.speed_mps = charger.speed_mps};
+  if (!charger.travel) return out;
+  double length_m = 0.0;
+  Vec2 last = from.head<2>();
+  for (const Vec2& bend : charger.travel->bends(from.head<2>(), to.head<2>())) {
+    length_m += (bend - last).norm();
+    last = bend;
+    out.bends_m.emplace_back(bend.x(), bend.y(), terrain.height_at(bend.x(), bend.y()));
   }
-  for (const data::Ring& ring : in.rings) {
-    Ring points;
-    for (std::uint32_t i = 0; i < ring.point_count; ++i) {
-      const data::Point2& p = in.points.at(ring.first_point + i);
-      points.emplace_back(p.x_m, p.y_m);
-    }
-    Polygon& polygon = out.fields.at(ring.area_index).polygon;
-    if (ring.is_hole) {
-      polygon.holes.push_back(std::move(points));
-    } else {
-      polygon.outline = std::move(points);
-    }
-  }
-  out.sensor_width_m = in.sensor_width_m;
-  out.height_tolerance_m = in.height_tolerance_m;
-  out.height_band_m = in.height_band_m;
-  out.neighbours = static_cast<int>(in.neighbours);
-  out.vehicle = to_limits(in.vehicle);
-  out.battery = to_battery(in.battery);
-  out.charger = {in.charger.charger_id, in.charger.speed_mps, in.charger.take_off_s, in.charger.landing_s,
-                 to_vec(in.charger.start)};
-  out.start_m = to_vec(in.start);
-  out.seed = in.seed;
+  if (!out.bends_m.empty()) out.bends_m.insert(out.bends_m.begin(), from);
+  length_m += (to.head<2>() - last).norm();
+  const double time_s = charger.travel->drive_s(from.head<2>(), to.head<2>());
+  if (std::isfinite(time_s) && time_s > 0.0 && length_m > 0.0)
+    out.speed_mps = std::min(out.speed_mps, length_m / time_s);
   return out;
 }
 
-Status check_polygons(const Task& task) {
-  for (const Field& field : task.fields) {
-    const Result<std::vector<Polygon>> parts = clean(field.polygon);
-    if (!parts) return bad_input("Field " + std::to_string(field.id) + ": " + parts.error().message);
+void add_ways(const LivePlan& plan, const Vec3& start_m, data::CoveragePlan& out) {
+  std::vector<Vec3> approach_m = plan.approach_m;
+  if (!approach_m.empty())
+    approach_m.insert(approach_m.begin(), {start_m.x(), start_m.y(), approach_m.front().z()});
+  for (std::size_t i = 0; i < plan.legs.size(); ++i) {
+    const Part way = add_bends(i == 0 ? approach_m : plan.legs[i - 1].transfer_m, out.bends);
+    out.legs[i].first_bend = way.first;
+    out.legs[i].bend_count = way.count;
   }
-  return {};
 }
+
+void add_rendezvous(const LivePlan& plan, const Charger& charger, const planner::Terrain& terrain,
+                    const Vec3& robot_m, data::ChargerPlan& out) {
+  Vec3 at = robot_m;
+  for (const Rendezvous& meeting : plan.rendezvous) {
+    data::Rendezvous next = to_data(meeting);
+    const RobotWay there = robot_way(charger, terrain, at, meeting.site_m);
+    const RobotWay on = robot_way(charger, terrain, meeting.site_m, meeting.carry_to_m);
+    const Part way = add_bends(there.bends_m, out.bends);
+    const Part carry = add_bends(on.bends_m, out.bends);
+    next.first_bend = way.first;
+    next.bend_count = way.count;
+    next.speed_mps = there.speed_mps;
+    next.carry_first_bend = carry.first;
+    next.carry_bend_count = carry.count;
+    next.carry_speed_mps = on.speed_mps;
+    out.rendezvous.push_back(next);
+    at = meeting.carry ? meeting.carry_to_m : meeting.site_m;
+  }
+}
+
+/// The ways' bends, back where PlanKeeper has them: the first way's without the start.
+void take_ways(const data::CoveragePlan& in, LivePlan& out) {
+  for (std::size_t i = 0; i < in.legs.size(); ++i) {
+    std::vector<Vec3>& way = i == 0 ? out.approach_m : out.legs[i - 1].transfer_m;
+    for (std::uint32_t k = i == 0 ? 1 : 0; k < in.legs[i].bend_count; ++k)
+      way.push_back(to_vec(in.bends.at(in.legs[i].first_bend + k)));
+  }
+}
+
+}  // namespace
 
 AircraftView to_view(const data::VehicleState& state) {
   return {state.time_s,        to_vec(state.position), to_vec(state.velocity_mps),
@@ -129,7 +148,8 @@ RobotView to_view(const data::ChargerState& state) {
           state.activity == data::ChargerActivity::kDelayed};
 }
 
-WirePlans to_wire(const PlanKeeper& keeper, std::uint32_t terrain_revision) {
+WirePlans to_wire(const PlanKeeper& keeper, const planner::Terrain& terrain, const Vec3& robot_m,
+                  std::uint32_t terrain_revision) {
   const LivePlan& plan = keeper.plan();
   const Task& task = keeper.task();
   WirePlans out;
@@ -146,6 +166,7 @@ WirePlans to_wire(const PlanKeeper& keeper, std::uint32_t terrain_revision) {
   coverage.complete = keeper.complete();
   coverage.reason = plan.reason.substr(0, kMaxReason);
   for (const Leg& leg : plan.legs) coverage.legs.push_back(to_data(leg));
+  add_ways(plan, task.start_m, coverage);
   data::ChargerPlan& charger = out.charger;
   charger.charger_id = task.charger.id;
   charger.task_id = task.id;
@@ -153,10 +174,12 @@ WirePlans to_wire(const PlanKeeper& keeper, std::uint32_t terrain_revision) {
   charger.revision = plan.revision;
   charger.speed_mps = task.charger.speed_mps;
   charger.charge_s_per_unit = task.battery.charge_s_per_unit;
+  charger.taper_from = task.battery.taper_from;
+  charger.taper_end_rate = task.battery.taper_end_rate;
   charger.landing_s = task.charger.landing_s;
   charger.take_off_s = task.charger.take_off_s;
   charger.start = to_data(task.charger.start_m);
-  for (const Rendezvous& meeting : plan.rendezvous) charger.rendezvous.push_back(to_data(meeting));
+  add_rendezvous(plan, task.charger, terrain, robot_m, charger);
   return out;
 }
 
@@ -182,6 +205,7 @@ LivePlan from_wire(const data::CoveragePlan& in, const Task& task, const planner
                         .start_s = leg.start_s,
                         .end_s = leg.end_s});
   }
+  take_ways(in, out);
   for (std::size_t i = 0; i + 1 < out.legs.size(); ++i) {
     const Leg& leg = out.legs[i];
     const Leg& next = out.legs[i + 1];

@@ -3,15 +3,11 @@
 #include "coverage/maintain/plan_keeper.hpp"
 #include "coverage/schedule/task.hpp"
 #include "idl/data/types.hpp"
-#include "planner/base/result.hpp"
+#include "planner/world/terrain.hpp"
 
 namespace swallowtail::coverage {
 
-/// From and to the wire's values; the samples have passed data::validate.
-Task to_task(const data::CoverageTask& task);
-/// What data::validate does not see: each field's polygon must be a clean one. Errors name the field.
-Status check_polygons(const Task& task);
-
+/// From and to the wire's values; the samples have passed data::validate. The task's: see task_of.hpp.
 AircraftView to_view(const data::VehicleState& state);
 BatteryView to_view(const data::BatteryState& state);
 RobotView to_view(const data::ChargerState& state);
@@ -20,8 +16,9 @@ struct WirePlans {
   data::CoveragePlan coverage;
   data::ChargerPlan charger;
 };
-/// Both plans of one revision.
-WirePlans to_wire(const PlanKeeper& keeper, std::uint32_t terrain_revision);
+/// Both plans of one revision; `robot_m` is where the robot is now.
+WirePlans to_wire(const PlanKeeper& keeper, const planner::Terrain& terrain, const Vec3& robot_m,
+                  std::uint32_t terrain_revision);
 
 /// A plan as found on the wire, to go on from. Rendezvous are made anew from the legs' transfers.
 LivePlan from_wire(const data::CoveragePlan& plan, const Task& task, const planner::Terrain& terrain);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "coverage/participant/convert.hpp"
+#include "coverage/participant/task_of.hpp"
 
 namespace swallowtail::coverage {
 namespace {
@@ -107,18 +108,18 @@ void CoverageParticipant::take_task() {
   auto task = inbox_->task.take();
   if (!task) return;
   if (task_ && task->task_id == task_->task_id && task->revision <= task_->revision) return;
-  const Task wanted = to_task(*task);
-  if (const Status polygons = check_polygons(wanted); !polygons) {
+  const Result<Task> wanted = task_of(*task);
+  if (!wanted) {
     bus_.count_rejection("CoverageTask", "field polygon not valid");
-    status_->set_health(task_ ? data::Health::kReady : data::Health::kDegraded, polygons.error().message);
+    status_->set_health(task_ ? data::Health::kReady : data::Health::kDegraded, wanted.error().message);
     return;
   }
-  if (const Status good = validate(wanted); !good) {
+  if (const Status good = validate(*wanted); !good) {
     bus_.count_rejection("CoverageTask", "limits out of range");
     status_->set_health(task_ ? data::Health::kReady : data::Health::kDegraded, good.error().message);
     return;
   }
-  if (keeper_ && keeper_->plan().legs_done > 0) return change_task(std::move(*task), wanted);
+  if (keeper_ && keeper_->plan().legs_done > 0) return change_task(std::move(*task), *wanted);
   task_ = std::move(*task);
   needs_plan_ = true;
   inbox_->vehicle_id.store(task_->vehicle_id);
@@ -126,13 +127,16 @@ void CoverageParticipant::take_task() {
   inbox_->capacity.store(task_->battery.capacity);
 }
 
-void CoverageParticipant::change_task(data::CoverageTask task, const Task& wanted) {
+void CoverageParticipant::change_task(data::CoverageTask task, Task wanted) {
   if (task.task_id != task_->task_id || task.has_terrain != task_->has_terrain) {
     status_->set_health(data::Health::kReady,
                         "task " + std::to_string(task.task_id) + " is refused: a mission is under way");
     return bus_.count_rejection("CoverageTask", "a mission is under way");
   }
-  if (const Status changed = keeper_->change_task(wanted); !changed) {
+  const auto travel = travel_of(task, *terrain_);
+  if (travel) wanted.charger.travel = *travel;
+  const Status changed = travel ? keeper_->change_task(std::move(wanted)) : Status(travel.error());
+  if (!changed) {
     status_->set_health(data::Health::kReady, "task revision " + std::to_string(task.revision) +
                                                   " is refused: " + changed.error().message);
     return bus_.count_rejection("CoverageTask", "the mission under way cannot take it up");
@@ -165,35 +169,51 @@ void CoverageParticipant::plan_when_ready() {
 
 void CoverageParticipant::resume_or_plan(const planner::Terrain& terrain) {
   needs_plan_ = false;
-  const double began_s = clock_.now_s();
+  terrain_ = terrain;
+  Result<Task> task = task_of(*task_);
+  const auto travel = travel_of(*task_, terrain);
+  if (!task || !travel) {
+    bus_.count_rejection("CoverageTask", "no plan for the task");
+    return status_->set_health(data::Health::kDegraded, (task ? travel.error() : task.error()).message);
+  }
+  task->charger.travel = *travel;
+  const auto found = inbox_->plan.take();
+  const bool is_ours = found && found->task_id == task_->task_id && found->vehicle_id == task_->vehicle_id &&
+                       found->basis.task_revision == task_->revision;
+  if (is_ours && !keeper_) {
+    keeper_.emplace(*task, terrain, keeper_params(), from_wire(*found, *task, terrain));
+    status_->set_health(data::Health::kReady,
+                        "goes on with plan revision " + std::to_string(found->revision));
+    is_published_ = false;
+  } else {
+    plan(std::move(*task), terrain);
+  }
+}
+
+KeeperParams CoverageParticipant::keeper_params() const {
   KeeperParams params;
   params.planning.seed = task_->seed;
   params.planning.mode = options_.mode;
   params.planning.clock = &clock_;
   params.planning.stop = {.clock = &clock_,
-                          .deadline_s = began_s + options_.planning_s,
+                          .deadline_s = clock_.now_s() + options_.planning_s,
                           .stop_requested = options_.stop_requested};
-  const auto found = inbox_->plan.take();
+  return params;
+}
+
+void CoverageParticipant::plan(Task task, const planner::Terrain& terrain) {
+  const double began_s = clock_.now_s();
   const std::uint32_t last_revision = keeper_ ? keeper_->plan().revision : 0;
-  if (found && !keeper_ && found->task_id == task_->task_id && found->vehicle_id == task_->vehicle_id &&
-      found->basis.task_revision == task_->revision) {
-    const Task task = to_task(*task_);
-    keeper_.emplace(task, terrain, params, from_wire(*found, task, terrain));
-    status_->set_health(data::Health::kReady,
-                        "goes on with plan revision " + std::to_string(found->revision));
-  } else {
-    Result<PlanKeeper> made = PlanKeeper::make(to_task(*task_), terrain, params);
-    if (!made) {
-      bus_.count_rejection("CoverageTask", "no plan for the task");
-      return status_->set_health(data::Health::kDegraded, made.error().message);
-    }
-    keeper_.emplace(std::move(*made));
-    keeper_->set_revision_above(
-        std::max(last_revision, last_vehicle_ ? last_vehicle_->coverage_revision : 0));
-    if (last_vehicle_ && last_vehicle_->legs_done > 0) keeper_->start_over_after(to_view(*last_vehicle_));
-    status_->add_latency_ms((clock_.now_s() - began_s) * 1e3);
-    status_->set_health(data::Health::kReady, "plan revision " + std::to_string(keeper_->plan().revision));
+  Result<PlanKeeper> made = PlanKeeper::make(std::move(task), terrain, keeper_params());
+  if (!made) {
+    bus_.count_rejection("CoverageTask", "no plan for the task");
+    return status_->set_health(data::Health::kDegraded, made.error().message);
   }
+  keeper_.emplace(std::move(*made));
+  keeper_->set_revision_above(std::max(last_revision, last_vehicle_ ? last_vehicle_->coverage_revision : 0));
+  if (last_vehicle_ && last_vehicle_->legs_done > 0) keeper_->start_over_after(to_view(*last_vehicle_));
+  status_->add_latency_ms((clock_.now_s() - began_s) * 1e3);
+  status_->set_health(data::Health::kReady, "plan revision " + std::to_string(keeper_->plan().revision));
   is_published_ = false;
 }
 
@@ -210,8 +230,10 @@ void CoverageParticipant::take_states() {
   keeper_->set_reaction(std::max(1.0, inbox_->time.rate() * options_.reaction_wall_s));
   const double began_s = clock_.now_s();
   bool changed = false;
-  if (charger && charger->charger_id == task_->charger.charger_id)
+  if (charger && charger->charger_id == task_->charger.charger_id) {
+    robot_m_ = to_view(*charger).position_m;
     changed |= keeper_->on_robot(to_view(*charger));
+  }
   for (const data::VehicleState& state : states) {
     if (state.vehicle_id == task_->vehicle_id) changed |= keeper_->on_vehicle(to_view(state));
   }
@@ -224,18 +246,25 @@ void CoverageParticipant::take_states() {
                       "revision " + std::to_string(keeper_->plan().revision) + ": " + keeper_->plan().reason);
 }
 
+bool CoverageParticipant::fits_the_wire(const WirePlans& plans) {
+  const std::size_t legs = plans.coverage.legs.size();
+  const std::size_t bends = std::max(plans.coverage.bends.size(), plans.charger.bends.size());
+  if (legs <= data::kMaxLegs && bends <= data::kMaxBends) return true;
+  bus_.count_rejection("CoverageTask", "more than a plan holds");
+  status_->set_health(data::Health::kDegraded, "The plan has " + std::to_string(legs) +
+                                                   " legs and ways with " + std::to_string(bends) +
+                                                   " bends; a plan on the wire holds " +
+                                                   std::to_string(data::kMaxLegs) + " and " +
+                                                   std::to_string(data::kMaxBends) + ". Split the task.");
+  return false;
+}
+
 Status CoverageParticipant::publish_plan() {
   if (!keeper_ || is_published_) return {};
-  const WirePlans plans = to_wire(*keeper_, ground_.revision());
+  const WirePlans plans =
+      to_wire(*keeper_, *terrain_, robot_m_.value_or(keeper_->task().charger.start_m), ground_.revision());
   is_published_ = true;
-  if (plans.coverage.legs.size() > data::kMaxLegs) {
-    bus_.count_rejection("CoverageTask", "more legs than a plan holds");
-    status_->set_health(data::Health::kDegraded, "The plan has " +
-                                                     std::to_string(plans.coverage.legs.size()) +
-                                                     " legs; a CoveragePlan holds " +
-                                                     std::to_string(data::kMaxLegs) + ". Split the task.");
-    return {};
-  }
+  if (!fits_the_wire(plans)) return {};
   inbox_->own_revision.store(plans.coverage.revision);
   // The robot's first: it may learn where to go before the aircraft flies there, not after.
   if (Status sent = charger_publisher_->publish(plans.charger); !sent) return sent;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "coverage/maintain/plan_keeper.hpp"
+#include "coverage/participant/convert.hpp"
 #include "coverage/participant/ground_map.hpp"
 #include "idl/data/types.hpp"
 #include "planner/base/clock.hpp"
@@ -68,9 +69,12 @@ class CoverageParticipant {
   Status subscribe_states();
   void take_tiles();
   void take_task();
-  void change_task(data::CoverageTask task, const Task& wanted);
+  void change_task(data::CoverageTask task, Task wanted);
   void plan_when_ready();
   void resume_or_plan(const planner::Terrain& terrain);
+  KeeperParams keeper_params() const;
+  void plan(Task task, const planner::Terrain& terrain);
+  bool fits_the_wire(const WirePlans& plans);
   void take_states();
   Status publish_plan();
   Status keep_alive();
@@ -87,6 +91,8 @@ class CoverageParticipant {
   std::optional<data::CoverageTask> task_;
   bool needs_plan_ = false;
   std::optional<data::VehicleState> last_vehicle_;
+  std::optional<planner::Terrain> terrain_;  ///< that was planned over
+  std::optional<Vec3> robot_m_;              ///< where it was last
   std::optional<PlanKeeper> keeper_;
   bool is_published_ = false;
   Due alive_;
