@@ -1,21 +1,12 @@
 #include "planner/participant/goal_way.hpp"
 
-#include <algorithm>
-#include <limits>
-
+#include "planner/participant/sortie.hpp"
 #include "planner/replan/point_to_point.hpp"
 
 namespace swallowtail::planner {
 namespace {
 
 constexpr double kSame_m = 1e-6;
-
-double distance_to_hop_m(const Vec3& p, const Vec3& a, const Vec3& b) {
-  const Vec3 hop = b - a;
-  const double share =
-      hop.squaredNorm() > 0.0 ? std::clamp((p - a).dot(hop) / hop.squaredNorm(), 0.0, 1.0) : 0.0;
-  return (a + share * hop - p).norm();
-}
 
 }  // namespace
 
@@ -40,17 +31,7 @@ void GoalWay::search(const std::shared_ptr<const World>& world, const VehicleLim
 }
 
 std::vector<Vec3> GoalWay::corners_ahead(const Vec3& position_m) const {
-  std::size_t next = points_.size();
-  double nearest_m = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 1; i < points_.size(); ++i) {
-    const double away_m = distance_to_hop_m(position_m, points_[i - 1], points_[i]);
-    if (away_m > nearest_m) continue;
-    nearest_m = away_m;
-    next = i;
-  }
-  std::vector<Vec3> corners;
-  for (std::size_t i = next; i + 1 < points_.size(); ++i) corners.push_back(points_[i]);
-  return corners;
+  return planner::corners_ahead(points_, position_m);
 }
 
 }  // namespace swallowtail::planner

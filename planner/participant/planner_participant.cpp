@@ -37,21 +37,6 @@ bool is_on_ground(const data::VehicleState& v) {
   return v.mode == VehicleMode::kLanded || v.mode == VehicleMode::kDocked;
 }
 
-bool same_way(const data::Leg& a, const data::Leg& b) {
-  return a.kind == b.kind && a.entry == b.entry && a.exit == b.exit && a.transfer == b.transfer;
-}
-
-/// Whether both plans ask for the same flight from `leg` to the end of its sortie.
-bool same_ahead(const data::CoveragePlan& a, const data::CoveragePlan& b, std::uint32_t leg) {
-  if (leg > 0 && (a.legs.size() < leg || b.legs.size() < leg || !same_way(a.legs[leg - 1], b.legs[leg - 1])))
-    return false;
-  for (std::size_t i = leg; i < std::max(a.legs.size(), b.legs.size()); ++i) {
-    if (i >= a.legs.size() || i >= b.legs.size() || !same_way(a.legs[i], b.legs[i])) return false;
-    if (a.legs[i].transfer != data::Transfer::kFF) return (i + 1 < a.legs.size()) == (i + 1 < b.legs.size());
-  }
-  return true;
-}
-
 }  // namespace
 
 Status validate(const PlannerOptions& options) {

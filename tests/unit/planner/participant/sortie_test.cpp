@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace swallowtail::planner {
 namespace {
 
@@ -75,6 +77,65 @@ TEST(SortieRoute, RepositionLegsAreTransfers) {
   plan.legs[0].kind = data::LegKind::kReposition;
   for (const RoutePoint& p : route(plan, {0, false}, {Vec3(0, 0, 0), true, 0, false}))
     EXPECT_NE(p.phase, Phase::kCover);
+}
+
+/// A plan of two strips whose transfer goes round something at 30 m.
+data::CoveragePlan bent_plan(Transfer transfer) {
+  data::CoveragePlan plan = plan_of({transfer, Transfer::kEnd});
+  plan.bends = {{0, 80, 30}, {10, 80, 30}};
+  plan.legs[1].first_bend = 0;
+  plan.legs[1].bend_count = 2;
+  return plan;
+}
+
+std::vector<Vec3> places(const std::vector<RoutePoint>& points) {
+  std::vector<Vec3> out;
+  for (const RoutePoint& point : points) out.push_back(point.position_m);
+  return out;
+}
+
+TEST(SortieRoute, TransfersGoThroughTheBendsOfTheirWay) {
+  const data::CoveragePlan plan = bent_plan(Transfer::kFF);
+  const std::vector<Vec3> whole = places(route(plan, {0, false}, {Vec3(0, 0, 20), false, 0, true}));
+  const std::vector<Vec3> expected{Vec3(0, 50, 20), Vec3(0, 50, 30), Vec3(0, 80, 30),  Vec3(10, 80, 30),
+                                   Vec3(10, 0, 30), Vec3(10, 0, 20), Vec3(10, 50, 20), Vec3(10, 50, 0)};
+  EXPECT_EQ(whole, expected) << "it climbs first and descends last";
+}
+
+TEST(SortieRoute, LeavesOutBendsThatAreBehind) {
+  const data::CoveragePlan plan = bent_plan(Transfer::kFF);
+  const std::vector<Vec3> second = places(route(plan, {0, false}, {Vec3(5, 80.5, 30), false, 1, false}));
+  EXPECT_EQ(second.front(), Vec3(10, 80, 30));
+  const std::vector<Vec3> none = places(route(plan, {0, false}, {Vec3(10, 60, 30), false, 1, false}));
+  EXPECT_EQ(none.front(), Vec3(10, 0, 20));
+  const std::vector<Vec3> both = places(route(plan, {0, false}, {Vec3(0, 60, 25), false, 1, false}));
+  EXPECT_EQ(both.front(), Vec3(0, 80, 30));
+}
+
+TEST(SortieRoute, LandingsAtAnEntryAndTakeOffsFromAnExitGoRoundToo) {
+  const auto passes = [](const std::vector<Vec3>& way) {
+    return std::find(way.begin(), way.end(), Vec3(10, 80, 30)) != way.end();
+  };
+  EXPECT_TRUE(passes(places(route(bent_plan(Transfer::kFFDU), {0, false}, {Vec3(0, 0, 0), true, 0, false}))));
+  EXPECT_TRUE(
+      passes(places(route(bent_plan(Transfer::kFDUF), {1, false}, {Vec3(0, 50, 0), true, 1, false}))));
+  const data::CoveragePlan plan = bent_plan(Transfer::kFDUFDU);
+  const std::vector<RoutePoint> hop =
+      route(plan, sortie_from(plan, 1, Vec3(0, 50, 0)), {Vec3(0, 50, 0), true, 1, false});
+  EXPECT_TRUE(passes(places(hop)));
+  EXPECT_EQ(hop.back().phase, Phase::kLanding);
+}
+
+TEST(SortieRoute, PlansWithOtherBendsAreOthers) {
+  const data::CoveragePlan plan = bent_plan(Transfer::kFF);
+  data::CoveragePlan other = plan;
+  EXPECT_TRUE(same_ahead(plan, other, 0));
+  other.bends[1].x_m += 1.0;
+  EXPECT_FALSE(same_ahead(plan, other, 0));
+  other = plan;
+  other.bends.insert(other.bends.begin(), {7, 7, 7});
+  other.legs[1].first_bend = 1;
+  EXPECT_TRUE(same_ahead(plan, other, 0)) << "where they stand in the pool does not matter";
 }
 
 }  // namespace
