@@ -2,54 +2,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace swallowtail::coverage {
 namespace {
 
 constexpr double kSameSite_m = 1e-3;
 constexpr double kRounding = 1e-9;
+/// Times so near are the same: the first type is taken.
+constexpr double kSame_s = 1e-12;
+constexpr double kNever_s = std::numeric_limits<double>::infinity();
 
 std::optional<Vec3> direction_or_none(const FlownLeg& leg) {
   const Vec3 d = leg.direction();
   if (d.squaredNorm() < kSameSite_m * kSameSite_m) return std::nullopt;
   return d;
-}
-
-/// Lands with `arrives`, is charged to `needs`, takes off again.
-std::optional<TransferChoice> charge_stop(double arrives, double needs, double flight_s,
-                                          const TransferTerms& terms) {
-  if (arrives < terms.reserve - kRounding || needs > terms.capacity + kRounding) return std::nullopt;
-  const double charged = std::max(0.0, needs - arrives);
-  return TransferChoice{
-      Transfer::kFF, flight_s + terms.landing_s + terms.charging.seconds(arrives, needs) + terms.take_off_s,
-      charged};
-}
-
-std::optional<TransferChoice> fly_both(const LegLink& link, double exit, double entry,
-                                       const TransferTerms& t) {
-  const double between = t.reserve + link.ground_to_ground.energy * t.energy_factor;
-  const double arrives = exit - link.land_at_exit.energy * t.energy_factor;
-  const auto first =
-      charge_stop(arrives, between, link.land_at_exit.time_s + link.ground_to_ground.time_s, t);
-  if (!first) return std::nullopt;
-  const double lands = std::max(between, arrives) - link.ground_to_ground.energy * t.energy_factor;
-  const auto second =
-      charge_stop(lands, entry + link.lift_at_entry.energy * t.energy_factor, link.lift_at_entry.time_s, t);
-  if (!second) return std::nullopt;
-  return TransferChoice{Transfer::kFDUFDU, first->time_s + second->time_s, first->charged + second->charged};
-}
-
-std::optional<TransferChoice> be_carried(const LegLink& link, double exit, double entry,
-                                         const TransferTerms& t) {
-  if (link.same_site) return std::nullopt;
-  const double arrives = exit - link.land_at_exit.energy * t.energy_factor;
-  const double needs = entry + link.lift_at_entry.energy * t.energy_factor;
-  if (arrives < t.reserve - kRounding || needs > t.capacity + kRounding) return std::nullopt;
-  const double charged = std::max(0.0, needs - arrives);
-  const double on_board = std::max(link.drive_s, t.charging.seconds(arrives, needs));
-  return TransferChoice{
-      Transfer::kFDTU,
-      link.land_at_exit.time_s + t.landing_s + on_board + t.take_off_s + link.lift_at_entry.time_s, charged};
 }
 
 }  // namespace
@@ -78,49 +45,81 @@ LegLink link_legs(const FlownLeg& from, const FlownLeg& to, const FlightModel& m
   return out;
 }
 
-std::optional<TransferChoice> try_transfer(Transfer type, const LegLink& link, double energy_at_exit,
-                                           double energy_at_entry, const TransferTerms& t) {
-  std::optional<TransferChoice> out;
-  const bool at_exit = type == Transfer::kFDUF || type == Transfer::kFDUFDU || type == Transfer::kFDTU;
-  const bool at_entry = type == Transfer::kFFDU || type == Transfer::kFDUFDU;
-  if ((at_exit && !link.meets_at_exit) || (at_entry && !link.meets_at_entry)) return out;
-  switch (type) {
-    case Transfer::kFF:
-      if (energy_at_exit - link.hop.energy * t.energy_factor >= energy_at_entry - kRounding)
-        out = TransferChoice{type, link.hop.time_s, 0.0};
-      break;
-    case Transfer::kFFDU:
-      out = charge_stop(energy_at_exit - link.land_at_entry.energy * t.energy_factor,
-                        energy_at_entry + link.lift_at_entry.energy * t.energy_factor,
-                        link.land_at_entry.time_s + link.lift_at_entry.time_s, t);
-      break;
-    case Transfer::kFDUF:
-      out = charge_stop(energy_at_exit - link.land_at_exit.energy * t.energy_factor,
-                        energy_at_entry + link.lift_from_exit.energy * t.energy_factor,
-                        link.land_at_exit.time_s + link.lift_from_exit.time_s, t);
-      break;
-    case Transfer::kFDUFDU:
-      out = fly_both(link, energy_at_exit, energy_at_entry, t);
-      break;
-    case Transfer::kFDTU:
-      out = be_carried(link, energy_at_exit, energy_at_entry, t);
-      break;
-    case Transfer::kEnd:
-      break;
+TransferOptions::TransferOptions(const LegLink& link, double energy_at_exit, const TransferTerms& terms)
+    : terms_(terms), is_linear_(terms.charging.is_linear()) {
+  const double factor = terms.energy_factor;
+  flown_on_ = energy_at_exit - link.hop.energy * factor;
+  hop_s_ = link.hop.time_s;
+  const double lift_at_entry = link.lift_at_entry.energy * factor;
+  const double lands_at_exit = energy_at_exit - link.land_at_exit.energy * factor;
+  if (link.meets_at_entry) {
+    add({Transfer::kFFDU, energy_at_exit - link.land_at_entry.energy * factor, lift_at_entry, 0.0,
+         link.land_at_entry.time_s + link.lift_at_entry.time_s + terms.landing_s, 0.0, terms.take_off_s});
   }
-  if (out) out->type = type;
-  return out;
+  if (!link.meets_at_exit) return;
+  add({Transfer::kFDUF, lands_at_exit, link.lift_from_exit.energy * factor, 0.0,
+       link.land_at_exit.time_s + link.lift_from_exit.time_s + terms.landing_s, 0.0, terms.take_off_s});
+  if (link.meets_at_entry) add_fly_both(link, lands_at_exit);
+  if (link.same_site) return;
+  add({Transfer::kFDTU, lands_at_exit, lift_at_entry, 0.0, link.land_at_exit.time_s + terms.landing_s,
+       link.drive_s, terms.take_off_s + link.lift_at_entry.time_s});
 }
 
-std::optional<TransferChoice> best_transfer(const LegLink& link, double energy_at_exit,
-                                            double energy_at_entry, const TransferTerms& terms) {
-  std::optional<TransferChoice> best;
-  for (const Transfer type :
-       {Transfer::kFF, Transfer::kFFDU, Transfer::kFDUF, Transfer::kFDUFDU, Transfer::kFDTU}) {
-    const auto choice = try_transfer(type, link, energy_at_exit, energy_at_entry, terms);
-    if (choice && (!best || choice->time_s < best->time_s - 1e-12)) best = choice;
+void TransferOptions::add(const Stop& stop) {
+  if (stop.arrives >= terms_.reserve - kRounding) stops_[count_++] = stop;
+}
+
+/// Charged at the exit just for the flight to the entry, and there for what follows.
+void TransferOptions::add_fly_both(const LegLink& link, double lands) {
+  const double factor = terms_.energy_factor;
+  const double between = link.ground_to_ground.energy * factor;
+  const double needs = terms_.reserve + between;
+  if (lands < terms_.reserve - kRounding || needs > terms_.capacity + kRounding) return;
+  const double handling_s = terms_.landing_s + terms_.take_off_s;
+  add({Transfer::kFDUFDU, std::max(needs, lands) - between, link.lift_at_entry.energy * factor,
+       std::max(0.0, needs - lands),
+       link.land_at_exit.time_s + link.ground_to_ground.time_s + handling_s +
+           terms_.charging.seconds(lands, needs) + link.lift_at_entry.time_s + terms_.landing_s,
+       0.0, terms_.take_off_s});
+}
+
+/// Infinite when it asks for more than a full battery.
+double TransferOptions::time_s(const Stop& stop, double energy_at_entry) const {
+  const double needs = energy_at_entry + stop.lift;
+  if (needs > terms_.capacity + kRounding) return kNever_s;
+  const double charging_s = is_linear_ ? (needs - stop.arrives) * terms_.charging.s_per_unit
+                                       : terms_.charging.seconds(stop.arrives, needs);
+  return stop.before_s + std::max(stop.least_s, charging_s) + stop.after_s;
+}
+
+TransferChoice TransferOptions::choice(const Stop& stop, double energy_at_entry) const {
+  return {stop.type, time_s(stop, energy_at_entry),
+          stop.charged + std::max(0.0, energy_at_entry + stop.lift - stop.arrives)};
+}
+
+std::optional<TransferChoice> TransferOptions::of(Transfer type, double energy_at_entry) const {
+  if (type == Transfer::kFF && flown_on_ >= energy_at_entry - kRounding)
+    return TransferChoice{type, hop_s_, 0.0};
+  for (std::size_t i = 0; i < count_; ++i) {
+    if (stops_[i].type == type && time_s(stops_[i], energy_at_entry) < kNever_s)
+      return choice(stops_[i], energy_at_entry);
+  }
+  return std::nullopt;
+}
+
+std::optional<TransferChoice> TransferOptions::quickest(double energy_at_entry) const {
+  std::optional<TransferChoice> best = of(Transfer::kFF, energy_at_entry);
+  for (std::size_t i = 0; i < count_; ++i) {
+    const double next_s = time_s(stops_[i], energy_at_entry);
+    if (next_s < (best ? best->time_s - kSame_s : kNever_s)) best = choice(stops_[i], energy_at_entry);
   }
   return best;
+}
+
+double TransferOptions::least_s(double energy_at_entry) const {
+  double least = flown_on_ >= energy_at_entry - kRounding ? hop_s_ : kNever_s;
+  for (std::size_t i = 0; i < count_; ++i) least = std::min(least, time_s(stops_[i], energy_at_entry));
+  return least;
 }
 
 }  // namespace swallowtail::coverage

@@ -56,14 +56,42 @@ struct TransferChoice {
 };
 
 /// The conditions and times of [COV Tab. 2] with its printing errors corrected (see design notes: signs, `e`,
-/// and the take-off of F-DUF at the exit): from `energy_at_exit` to at least `energy_at_entry` in the air at
-/// the next leg's entry, charging only what is missing. Nothing when the type cannot do it. Every landing
-/// keeps the reserve.
-std::optional<TransferChoice> try_transfer(Transfer type, const LegLink& link, double energy_at_exit,
-                                           double energy_at_entry, const TransferTerms& terms);
+/// and the take-off of F-DUF at the exit): from `energy_at_exit` to at least some energy in the air at the
+/// next leg's entry, charging only what is missing. Every landing keeps the reserve. What depends on the link
+/// and the exit alone is reckoned once.
+class TransferOptions {
+ public:
+  TransferOptions(const LegLink& link, double energy_at_exit, const TransferTerms& terms);
 
-/// The quickest of the five.
-std::optional<TransferChoice> best_transfer(const LegLink& link, double energy_at_exit,
-                                            double energy_at_entry, const TransferTerms& terms);
+  /// Nothing when the type cannot do it.
+  std::optional<TransferChoice> of(Transfer type, double energy_at_entry) const;
+  /// The quickest of the five.
+  std::optional<TransferChoice> quickest(double energy_at_entry) const;
+  /// Its time alone; infinite when none can do it.
+  double least_s(double energy_at_entry) const;
+
+ private:
+  /// A transfer that ends with charging and a take-off.
+  struct Stop {
+    Transfer type = Transfer::kFFDU;
+    double arrives = 0.0;   ///< energy when that charging begins
+    double lift = 0.0;      ///< energy from there to the entry
+    double charged = 0.0;   ///< before
+    double before_s = 0.0;  ///< until charging begins
+    double least_s = 0.0;   ///< it takes no less
+    double after_s = 0.0;   ///< from charged to the entry
+  };
+  double time_s(const Stop& stop, double energy_at_entry) const;
+  TransferChoice choice(const Stop& stop, double energy_at_entry) const;
+  void add(const Stop& stop);
+  void add_fly_both(const LegLink& link, double lands);
+
+  TransferTerms terms_;
+  bool is_linear_ = true;
+  double flown_on_ = 0.0;  ///< energy at the entry without a landing
+  double hop_s_ = 0.0;
+  std::array<Stop, 4> stops_;  ///< by type; those that the exit allows
+  std::size_t count_ = 0;
+};
 
 }  // namespace swallowtail::coverage

@@ -96,6 +96,28 @@ Result<Instance> Instance::from_arcs(int vertex_count, Clusters clusters, std::s
   return instance;
 }
 
+Result<Instance> Instance::from_rows(Clusters clusters, std::vector<std::size_t> first_arc,
+                                     std::vector<Arc> arcs) {
+  Instance instance(Kind::kArcs);
+  if (first_arc.size() < 2 || first_arc.front() != 0 || first_arc.back() != arcs.size() ||
+      !std::is_sorted(first_arc.begin(), first_arc.end()))
+    return bad_input("The rows must begin at arc 0, end with the last, and follow one another.");
+  const auto vertex_count = static_cast<int>(first_arc.size() - 1);
+  if (Status s = instance.set_clusters(vertex_count, std::move(clusters)); !s) return s.error();
+  for (int v = 0; v < vertex_count; ++v) {
+    int before = -1;
+    for (std::size_t i = first_arc[index(v)]; i < first_arc[index(v) + 1]; ++i) {
+      if (Status s = check_arc({v, arcs[i].to, arcs[i].cost}, vertex_count); !s) return s.error();
+      if (arcs[i].to <= before)
+        return bad_input(name_of_arc(v, arcs[i].to) + " stands behind one to a vertex not below it.");
+      before = arcs[i].to;
+    }
+  }
+  instance.first_arc_ = std::move(first_arc);
+  instance.arcs_ = std::move(arcs);
+  return instance;
+}
+
 Result<Instance> Instance::from_matrix(int vertex_count, Clusters clusters, std::vector<double> costs) {
   Instance instance(Kind::kMatrix);
   if (vertex_count > kMaxMatrixVertices) {

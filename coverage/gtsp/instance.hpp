@@ -58,6 +58,11 @@ class Instance {
   /// from_arcs.
   static Result<Instance> from_matrix(int vertex_count, Clusters clusters, std::vector<double> costs);
 
+  /// The same from rows as they are kept, without copying: those from v are arcs[first_arc[v]] up to
+  /// arcs[first_arc[v + 1]], by ascending target. Errors as from_arcs, or rows that are not so.
+  static Result<Instance> from_rows(Clusters clusters, std::vector<std::size_t> first_arc,
+                                    std::vector<Arc> arcs);
+
   /// Complete: every arc exists at the metric's distance, computed when asked for. Errors as from_arcs, or a
   /// coordinate out of range.
   static Result<Instance> from_points(Clusters clusters, std::vector<Point> points, Metric metric);

@@ -98,7 +98,8 @@ class ArcBuilder {
   }
 
   Status add_all(const Neighbourhood& near);
-  std::vector<gtsp::ArcInput> take() { return std::move(arcs_); }
+  std::vector<std::size_t> take_rows() { return std::move(first_arc_); }
+  std::vector<gtsp::Arc> take_arcs() { return std::move(arcs_); }
 
  private:
   int vertex(std::size_t cell, int side, int level) const {
@@ -113,8 +114,16 @@ class ArcBuilder {
     return std::max(1, static_cast<int>(std::ceil(needs / energy_of(1) - 1e-9)));
   }
   void add_from_start();
-  void add_between(std::size_t i, int side_i, std::size_t j, int side_j);
-  void add_at_level(std::size_t i, int side_i, int level, std::size_t j, int side_j, const LegLink& link);
+  /// Where an arc may lead, and the way there.
+  struct Target {
+    std::size_t cell = 0;
+    int side = 0;
+    int least_level = 1;
+    LegLink link;
+  };
+  std::vector<Target> targets(std::size_t i, int side, const Neighbourhood& near);
+  void add_row(std::size_t i, int level, const std::vector<Target>& targets);
+  void end_row() { first_arc_.push_back(arcs_.size()); }
 
   std::span<const SubCell> cells_;
   const ScheduleStart& start_;
@@ -124,7 +133,8 @@ class ArcBuilder {
   TransferTerms terms_;
   std::vector<FlightCost> cover_;
   std::vector<FlightCost> landing_[2];
-  std::vector<gtsp::ArcInput> arcs_;
+  std::vector<std::size_t> first_arc_{0};
+  std::vector<gtsp::Arc> arcs_;
 };
 
 void ArcBuilder::add_from_start() {
@@ -142,45 +152,53 @@ void ArcBuilder::add_from_start() {
           params_.levels == 1
               ? 1
               : std::min(params_.levels, static_cast<int>(std::floor(arrives / energy_of(1) + 1e-9)));
-      if (reached >= least) arcs_.push_back({0, vertex(j, side, reached), lift.time_s + cover_[j].time_s});
+      if (reached >= least) arcs_.push_back({vertex(j, side, reached), lift.time_s + cover_[j].time_s});
       if (start_.kind != StartKind::kDocked || params_.levels == 1) continue;
       for (int level = std::max(reached + 1, least); level <= params_.levels; ++level) {
         const double needs = energy_of(level) + lift.energy * factor_;
         if (needs > terms_.capacity) break;
-        arcs_.push_back({0, vertex(j, side, level),
+        arcs_.push_back({vertex(j, side, level),
                          terms_.charging.seconds(start_.energy, needs) + lift.time_s + cover_[j].time_s});
       }
     }
   }
+  end_row();
 }
 
-void ArcBuilder::add_at_level(std::size_t i, int side_i, int level, std::size_t j, int side_j,
-                              const LegLink& link) {
+/// By cell, then by side, as vertices are numbered.
+std::vector<ArcBuilder::Target> ArcBuilder::targets(std::size_t i, int side, const Neighbourhood& near) {
+  std::vector<Target> out;
+  const RouteLeg from = route_leg(cells_[i], {i, side == 1});
+  for (std::size_t j = 0; j < cells_.size(); ++j) {
+    if (i == j || !near.linked(i, j)) continue;
+    for (int side_j = 0; side_j < 2; ++side_j) {
+      const RouteLeg to = route_leg(cells_[j], {j, side_j == 1});
+      out.push_back({j, side_j, least_level(j, side_j), links_.get(from.id, from.flown, to.id, to.flown)});
+    }
+  }
+  return out;
+}
+
+void ArcBuilder::add_row(std::size_t i, int level, const std::vector<Target>& targets) {
   const double at_exit = params_.levels == 1 ? kNoBattery : energy_of(level) - cover_[i].energy * factor_;
-  if (params_.levels == 1) {
-    // Without a battery it may still be quicker to be carried nowhere: flying is the only transfer.
-    arcs_.push_back({vertex(i, side_i, 1), vertex(j, side_j, 1), link.hop.time_s + cover_[j].time_s});
-    return;
-  }
-  const int least = least_level(j, side_j);
-  const double arrives = at_exit - link.hop.energy * factor_;
-  const int flown_on = static_cast<int>(std::floor(arrives / energy_of(1) + 1e-9));
-  if (flown_on >= least)
-    arcs_.push_back(
-        {vertex(i, side_i, level), vertex(j, side_j, flown_on), link.hop.time_s + cover_[j].time_s});
-  for (int to = std::max(flown_on + 1, least); to <= params_.levels; ++to) {
-    const auto choice = best_transfer(link, at_exit, energy_of(to), terms_);
-    if (!choice) break;  // a higher level asks for more still
-    arcs_.push_back({vertex(i, side_i, level), vertex(j, side_j, to), choice->time_s + cover_[j].time_s});
-  }
-}
-
-void ArcBuilder::add_between(std::size_t i, int side_i, std::size_t j, int side_j) {
-  const RouteLeg from = route_leg(cells_[i], {i, side_i == 1});
-  const RouteLeg to = route_leg(cells_[j], {j, side_j == 1});
-  const LegLink& link = links_.get(from.id, from.flown, to.id, to.flown);
-  for (int level = std::min(least_level(i, side_i), params_.levels + 1); level <= params_.levels; ++level) {
-    add_at_level(i, side_i, level, j, side_j, link);
+  for (const Target& to : targets) {
+    const double hop_s = to.link.hop.time_s;
+    const double cover_s = cover_[to.cell].time_s;
+    const int first = vertex(to.cell, to.side, 1);
+    if (params_.levels == 1) {
+      // Without a battery it may still be quicker to be carried nowhere: flying is the only transfer.
+      arcs_.push_back({first, hop_s + cover_s});
+      continue;
+    }
+    const double arrives = at_exit - to.link.hop.energy * factor_;
+    const int flown_on = static_cast<int>(std::floor(arrives / energy_of(1) + 1e-9));
+    if (flown_on >= to.least_level) arcs_.push_back({first + flown_on - 1, hop_s + cover_s});
+    const TransferOptions options(to.link, at_exit, terms_);
+    for (int next = std::max(flown_on + 1, to.least_level); next <= params_.levels; ++next) {
+      const double transfer_s = options.least_s(energy_of(next));
+      if (!std::isfinite(transfer_s)) break;  // a higher level asks for more still
+      arcs_.push_back({first + next - 1, transfer_s + cover_s});
+    }
   }
 }
 
@@ -192,9 +210,12 @@ Status ArcBuilder::add_all(const Neighbourhood& near) {
   }
   add_from_start();
   for (std::size_t i = 0; i < cells_.size(); ++i) {
-    for (std::size_t j = 0; j < cells_.size(); ++j) {
-      if (i == j || !near.linked(i, j)) continue;
-      for (int sides = 0; sides < 4; ++sides) add_between(i, sides / 2, j, sides % 2);
+    for (int side = 0; side < 2; ++side) {
+      const std::vector<Target> to = targets(i, side, near);
+      for (int level = 1; level <= params_.levels; ++level) {
+        if (level >= least_level(i, side)) add_row(i, level, to);
+        end_row();
+      }
     }
   }
   return {};
@@ -215,7 +236,8 @@ Result<LayeredGraph> LayeredGraph::build(std::span<const SubCell> cells, const S
   const Neighbourhood near(cells, params.height_band_m, params.neighbours);
   ArcBuilder builder(cells, start, params, links);
   if (const Status status = builder.add_all(near); !status) return status.error();
-  const std::vector<gtsp::ArcInput> arcs = builder.take();
+  std::vector<gtsp::Arc> arcs = builder.take_arcs();
+  const std::size_t arc_count = arcs.size();
   const int k = params.levels;
   const int vertices = 1 + 2 * k * static_cast<int>(cells.size());
   gtsp::Instance::Clusters clusters{{0}};
@@ -224,9 +246,10 @@ Result<LayeredGraph> LayeredGraph::build(std::span<const SubCell> cells, const S
     std::iota(cluster.begin(), cluster.end(), 1 + static_cast<int>(i) * 2 * k);
     clusters.push_back(std::move(cluster));
   }
-  Result<gtsp::Instance> instance = gtsp::Instance::from_arcs(vertices, std::move(clusters), arcs);
+  Result<gtsp::Instance> instance =
+      gtsp::Instance::from_rows(std::move(clusters), builder.take_rows(), std::move(arcs));
   if (!instance) return instance.error();
-  return LayeredGraph(std::move(*instance), {vertices, arcs.size(), near.neighbours()}, k);
+  return LayeredGraph(std::move(*instance), {vertices, arc_count, near.neighbours()}, k);
 }
 
 std::vector<Visit> LayeredGraph::decode(std::span<const int> tour) const {

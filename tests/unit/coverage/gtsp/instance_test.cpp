@@ -32,6 +32,27 @@ TEST(Instance, KeepsTheCheapestOfParallelArcs) {
   EXPECT_EQ(instance->cost(1, 0), 1.0);
 }
 
+TEST(Instance, RowsAreTheArcsAsTheyAreKept) {
+  const Result<Instance> instance =
+      Instance::from_rows({{0}, {1, 2}}, {0, 2, 2, 3}, {{1, 3.0}, {2, 5.0}, {0, 1.5}});
+  ASSERT_TRUE(instance.ok());
+  EXPECT_EQ(instance->vertex_count(), 3);
+  EXPECT_EQ(instance->cost(0, 2), 5.0);
+  EXPECT_EQ(instance->cost(2, 0), 1.5);
+  EXPECT_EQ(instance->cost(1, 0), kNoArc);
+  const auto refused = [](std::vector<std::size_t> first_arc, std::vector<Arc> arcs) {
+    const auto out = Instance::from_rows({{0}, {1, 2}}, std::move(first_arc), std::move(arcs));
+    return out.ok() ? std::string() : out.error().message;
+  };
+  EXPECT_THAT(refused({0, 2, 2, 2}, {{2, 5.0}, {1, 3.0}}), HasSubstr("Arc 0 -> 1 stands behind"));
+  EXPECT_THAT(refused({0, 2, 2, 2}, {{1, 5.0}, {1, 3.0}}), HasSubstr("Arc 0 -> 1 stands behind"));
+  EXPECT_THAT(refused({0, 1, 1, 1}, {{3, 5.0}}), HasSubstr("outside 0 to 2"));
+  EXPECT_THAT(refused({0, 1, 1, 1}, {{1, -5.0}}), HasSubstr("cost"));
+  EXPECT_THAT(refused({0, 2, 1, 1}, {{1, 5.0}}), HasSubstr("rows"));
+  EXPECT_THAT(refused({0, 0, 0, 0}, {{1, 5.0}}), HasSubstr("rows"));
+  EXPECT_THAT(refused({}, {}), HasSubstr("rows"));
+}
+
 TEST(Instance, MatrixIteratesOverExistingArcs) {
   const Result<Instance> instance =
       Instance::from_matrix(3, {{0}, {1}, {2}}, {7, 1, kNoArc, 2, 7, 3, kNoArc, kNoArc, 7});
