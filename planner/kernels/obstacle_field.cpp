@@ -173,7 +173,7 @@ detail::BallTree ObstacleField::add_solids(const VehicleLimits& limits, bool sta
     if (detail::stands_for_ever(obstacle) != standing) continue;
     const detail::Ball ball = detail::ball_of(obstacle.shape);
     const double required_m =
-        with_reserve(limits.clearance_m() + obstacle.margin_m, bounding_radius_m(obstacle.shape));
+        with_reserve(limits.clearance_m() + obstacle.extra_m(), bounding_radius_m(obstacle.shape));
     chosen.push_back({&obstacle, ball, required_m});
     balls.push_back(
         {obstacle.position_at(time_s) + ball.offset_m, obstacle.velocity_mps, ball.radius_m + required_m});

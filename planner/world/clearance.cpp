@@ -44,12 +44,20 @@ Extent wide_extent(const Obstacle& obstacle) {
   return box;
 }
 
-/// What a query gathers. No obstacle whose box, margin included, is farther than `bound_m` can lower either
-/// minimum: every slack is at most its distance.
+/// What a query gathers. No obstacle whose box, margin included, is farther than bound_m() can lower either
+/// minimum: it is at most its distance, and at most its slack.
 struct Search {
   const Flight& flight;
-  double bound_m;
-  Clearance answer;
+  double reach_m;
+  Clearance answer{};
+  double nearest_m = std::numeric_limits<double>::infinity();  ///< not below the least distance
+  double least_m = std::numeric_limits<double>::infinity();    ///< not below the least slack
+
+  double bound_m() const { return std::min(reach_m, std::max(nearest_m, least_m)); }
+  void tighten(double distance_m, const Obstacle& solid) {
+    nearest_m = std::min(nearest_m, distance_m);
+    least_m = std::min(least_m, distance_m - solid.extra_m());
+  }
 };
 
 }  // namespace
@@ -108,9 +116,9 @@ void ClearanceQuery::Impl::measure(std::size_t index, Search& search) const {
   const Vec3 q = b - solid.position_at(t1_s);
   const detail::Approach nearest = approach(index, p, q);
   search.answer.distance_m = std::min(search.answer.distance_m, nearest.distance_m);
-  search.bound_m = std::min(search.bound_m, nearest.distance_m);
-  if (nearest.distance_m - solid.margin_m < search.answer.slack_m) {
-    search.answer.slack_m = nearest.distance_m - solid.margin_m;
+  search.tighten(nearest.distance_m, solid);
+  if (nearest.distance_m - solid.extra_m() < search.answer.slack_m) {
+    search.answer.slack_m = nearest.distance_m - solid.extra_m();
     search.answer.obstacle_id = solid.id;
     search.answer.time_s = flight.t0_s + (t1_s - flight.t0_s) * nearest.fraction;
   }
@@ -119,17 +127,17 @@ void ClearanceQuery::Impl::measure(std::size_t index, Search& search) const {
 // First the bound from points inside the solids, which costs little; then the few that are left are measured.
 void ClearanceQuery::Impl::among_standing(Search& search) const {
   const detail::SegmentProbe probe(search.flight.a, search.flight.b);
-  tree->visit_near(probe, search.bound_m, [&](std::uint32_t i) {
+  tree->visit_near(probe, search.bound_m(), [&](std::uint32_t i) {
     const Obstacle& solid = obstacle(standing[i]);
     if (solid.valid_until_s >= search.flight.t1_s) {
       const double away = probe.distance_to(solid.position_m + inner_point(solid.shape));
-      search.bound_m = std::min(search.bound_m, away + kBoxRoom_m);
+      search.tighten(away + kBoxRoom_m, solid);
     }
-    return search.bound_m;
+    return search.bound_m();
   });
-  tree->visit_near(probe, search.bound_m, [&](std::uint32_t i) {
+  tree->visit_near(probe, search.bound_m(), [&](std::uint32_t i) {
     if (obstacle(standing[i]).valid_until_s >= search.flight.t0_s) measure(standing[i], search);
-    return search.bound_m;
+    return search.bound_m();
   });
 }
 
@@ -139,7 +147,7 @@ void ClearanceQuery::Impl::among_moving(Search& search) const {
     if (solid.valid_until_s < search.flight.t0_s) continue;
     const detail::SegmentProbe relative(search.flight.a - solid.position_at(search.flight.t0_s),
                                         search.flight.b - solid.position_at(search.flight.t1_s));
-    if (relative.comes_near(wide_extent(solid), search.bound_m)) measure(i, search);
+    if (relative.comes_near(wide_extent(solid), search.bound_m())) measure(i, search);
   }
 }
 
@@ -155,7 +163,7 @@ Clearance ClearanceQuery::of_flight(const Vec3& a, double t0_s, const Vec3& b, d
     return {0.0, -std::numeric_limits<double>::infinity(), 0, t0_s};  // never clear
   }
   const Flight flight{a, b, t0_s, t1_s};
-  Search search{flight, std::max(reach_m, 0.0), {}};
+  Search search{flight, std::max(reach_m, 0.0)};
   search.answer.time_s = t0_s;
   impl_->among_standing(search);
   impl_->among_moving(search);

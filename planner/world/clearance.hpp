@@ -14,9 +14,9 @@ namespace swallowtail::planner {
 /// | field         | of which obstacle       | meaning | | ------------- | ----------------------- |
 /// ---------------------------------------------------------------------------- | | `distance_m`  | the
 /// nearest             | least distance; infinite: nothing within reach                               | |
-/// `slack_m`     | the one with least slack | least (distance − that obstacle's own margin): what a vehicle
-/// has to live on | | `obstacle_id` | the one with least slack | 0 where nothing is within reach | | `time_s`
-/// | the one with least slack | when it is nearest |
+/// `slack_m`     | the one with least slack | least (distance − that obstacle's own margin + its relief):
+/// what a vehicle has to live on | | `obstacle_id` | the one with least slack | 0 where nothing is within
+/// reach | | `time_s` | the one with least slack | when it is nearest |
 ///
 /// Quality: a lower bound, below the true distance by less than 1e-6·(1 + distance); never above it.
 struct Clearance {

@@ -135,6 +135,9 @@ Status validate(const Obstacle& obstacle) {
   if (!is_within(obstacle.margin_m, 0.0, kMaxSize_m)) {
     return fault(fmt::format("its margin is {} m; it must be 0 … {:g} m", obstacle.margin_m, kMaxSize_m));
   }
+  if (!is_within(obstacle.relief_m, 0.0, kMaxSize_m)) {
+    return fault(fmt::format("its relief is {} m; it must be 0 … {:g} m", obstacle.relief_m, kMaxSize_m));
+  }
   return {};
 }
 

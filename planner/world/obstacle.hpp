@@ -47,14 +47,18 @@ struct Obstacle {
   double state_time_s = 0.0;
   double valid_until_s = std::numeric_limits<double>::infinity();
   double margin_m = 0.0;  ///< kept besides the vehicle's own margin
+  double relief_m = 0.0;  ///< of the vehicle's radius and margin that need not be kept: no-fly areas may be
+                          ///< flown along
 
   Vec3 position_at(double time_s) const { return position_m + velocity_mps * (time_s - state_time_s); }
+  /// Kept besides the vehicle's radius and margin; below 0 where there is relief.
+  double extra_m() const { return margin_m - relief_m; }
   bool moves() const { return velocity_mps != Vec3::Zero(); }
 };
 
 /// Errors name the obstacle, the value and the rule: every number finite (valid_until_s may be infinite),
-/// sizes in (0, 1e5] m, margin 0 … 1e5 m, speed ≤ 200 m/s, a mesh of 4 … kMaxVertices vertices that do not
-/// lie in one plane.
+/// sizes in (0, 1e5] m, margin and relief 0 … 1e5 m, speed ≤ 200 m/s, a mesh of 4 … kMaxVertices vertices
+/// that do not lie in one plane.
 Status validate(const Obstacle& obstacle);
 inline constexpr std::size_t kMaxVertices = 1024;
 

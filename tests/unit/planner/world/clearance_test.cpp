@@ -2,11 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <thread>
 #include <vector>
+
+#include "planner/base/rng.hpp"
 
 namespace swallowtail::planner {
 namespace {
@@ -75,6 +78,33 @@ TEST(Clearance, ATouchedObstacleDoesNotHideALargerMargin) {
   EXPECT_EQ(c.distance_m, 0.0);
   EXPECT_NEAR(c.slack_m, 4.0 - 30.0, 1e-6);
   EXPECT_EQ(c.obstacle_id, 2U);
+}
+
+TEST(Clearance, ReliefHidesNeitherDistanceNorSlackOfOthers) {
+  Rng rng(5);
+  for (int round = 0; round < 200; ++round) {
+    std::vector<Obstacle> solids;
+    for (std::uint32_t i = 0; i < 30; ++i) {
+      solids.push_back(at(i + 1, Sphere{rng.uniform(0.1, 3.0)},
+                          Vec3(rng.uniform(-30, 30), rng.uniform(-30, 30), rng.uniform(-5, 5))));
+      solids.back().margin_m = rng.below(2) == 0 ? rng.uniform(0.0, 10.0) : 0.0;
+      solids.back().relief_m = rng.below(2) == 0 ? rng.uniform(0.0, 10.0) : 0.0;
+    }
+    const Vec3 a(rng.uniform(-30, 30), rng.uniform(-30, 30), 0);
+    const Vec3 b(rng.uniform(-30, 30), rng.uniform(-30, 30), 0);
+    const Clearance found = query(solids).of_flight(a, 0, b, 1, 1000);
+    double distance_m = kInf;
+    double slack_m = kInf;
+    for (const Obstacle& solid : solids) {
+      const double share = std::clamp((solid.position_m - a).dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0);
+      const double away = std::max(
+          0.0, (a + share * (b - a) - solid.position_m).norm() - std::get<Sphere>(solid.shape).radius_m);
+      distance_m = std::min(distance_m, away);
+      slack_m = std::min(slack_m, away - solid.margin_m + solid.relief_m);
+    }
+    EXPECT_NEAR(found.distance_m, distance_m, 1e-4) << "round " << round;
+    EXPECT_NEAR(found.slack_m, slack_m, 1e-4) << "round " << round;
+  }
 }
 
 TEST(Clearance, OutOfReachIsInfinitelyFar) {

@@ -67,6 +67,9 @@ TEST(Obstacle, MotionAndMarginAreChecked) {
   Obstacle margin = with(Sphere{1.0});
   margin.margin_m = -0.5;
   EXPECT_THAT(fault(margin), HasSubstr("margin is -0.5"));
+  Obstacle relief = with(Sphere{1.0});
+  relief.relief_m = -0.5;
+  EXPECT_THAT(fault(relief), HasSubstr("relief is -0.5"));
   Obstacle ends = with(Sphere{1.0});
   ends.valid_until_s = kNan;
   EXPECT_THAT(fault(ends), HasSubstr("valid-until"));
