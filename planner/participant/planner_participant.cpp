@@ -174,7 +174,11 @@ Status PlannerParticipant::act_on_ground(double now_s, bool changed) {
     const bool is_over = vehicle_->time_s >= log_.end_s();
     const bool not_taken = vehicle_->time_s >= log_.begin_s() + grace_s && !is_over;
     if (is_over || not_taken) log_.clear();
-    if (waits_for_start && !is_over && !(changed && now_s < log_.begin_s())) {
+    const double lead = (1 << late_) * lead_s(inbox_->time.rate(), options_.budget_ms);
+    // What comes too late for another take-off is taken up on the way.
+    if (changed && waits_for_start && !is_over && now_s + lead >= log_.begin_s())
+      return act_in_flight(now_s, changed);
+    if (waits_for_start && !is_over && !changed) {
       changed_wall_s_ = 0.0;
       return {};
     }
