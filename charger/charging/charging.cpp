@@ -42,10 +42,19 @@ Status validate(const Orders& orders) {
   if (!is_positive(orders.charge_s_per_unit)) return refuse(orders, "charge_s_per_unit must be positive");
   if (!is_non_negative(orders.landing_s)) return refuse(orders, "landing_s must not be negative");
   if (!is_non_negative(orders.take_off_s)) return refuse(orders, "take_off_s must not be negative");
+  if (!is_within(orders.taper_from, 0.0, 1.0) || !is_within(orders.taper_end_rate, 1e-3, 1.0))
+    return refuse(orders, "the charging taper must lie within 0 and 1");
   if (!is_finite(orders.start_m)) return refuse(orders, "the start must be finite");
   for (const Meeting& meeting : orders.meetings) {
     if (!is_finite(meeting.site_m) || (meeting.carry_to_m && !is_finite(*meeting.carry_to_m))) {
       return refuse(orders, "the sites of meeting " + std::to_string(meeting.id) + " must be finite");
+    }
+    if (!is_non_negative(meeting.way_speed_mps) || !is_non_negative(meeting.carry_speed_mps) ||
+        !std::all_of(meeting.way_m.begin(), meeting.way_m.end(),
+                     [](const Vec3& p) { return is_finite(p); }) ||
+        !std::all_of(meeting.carry_way_m.begin(), meeting.carry_way_m.end(),
+                     [](const Vec3& p) { return is_finite(p); })) {
+      return refuse(orders, "the ways of meeting " + std::to_string(meeting.id) + " must be finite");
     }
     if (!is_non_negative(meeting.charge_to)) {
       return refuse(orders, "charge_to of meeting " + std::to_string(meeting.id) + " must not be negative");
@@ -81,7 +90,7 @@ const State& Charging::step(double time_s, const Inputs& inputs) {
       vehicle_has_flown_ || is_flying(inputs) || (inputs.vehicle && inputs.vehicle->legs_done > 0);
 
   if (service_ == Service::kNone && inputs.vehicle && inputs.vehicle->docked_here) adopt_vehicle(inputs);
-  if (service_ != Service::kNone && is_flying(inputs)) finish();
+  if (service_ != Service::kNone && (is_flying(inputs) || has_left(inputs))) finish();
   if (service_ == Service::kNone) {
     approach(inputs, duration_s);
   } else {
@@ -106,7 +115,8 @@ void Charging::account_for_delivery(const Inputs& inputs, double duration_s) {
   }
 }
 
-double Charging::missing_energy(const Inputs& inputs) const {
+/// What the battery holds by now, by its newest sample and what was delivered since; NaN without one.
+double Charging::energy_now(const Inputs& inputs) const {
   if (!inputs.battery) return std::numeric_limits<double>::quiet_NaN();
   const BatteryView& battery = *inputs.battery;
   double delivered_before = deliveries_.front().energy;
@@ -116,8 +126,21 @@ double Charging::missing_energy(const Inputs& inputs) const {
     const double share = std::min(1.0, (battery.time_s - from.time_s) / (to.time_s - from.time_s));
     delivered_before += share * (to.energy - from.energy);
   }
-  const double estimate = battery.energy + state_.energy_delivered - delivered_before;
-  return std::min(current_.charge_to, battery.capacity) - estimate;
+  return battery.energy + state_.energy_delivered - delivered_before;
+}
+
+double Charging::missing_energy(const Inputs& inputs) const {
+  if (!inputs.battery) return std::numeric_limits<double>::quiet_NaN();
+  return std::min(current_.charge_to, inputs.battery->capacity) - energy_now(inputs);
+}
+
+/// Constant, then falling in a straight line over the energy held.
+double Charging::greatest_rate(const BatteryView& battery, double energy) const {
+  const double begin = orders_.taper_from * battery.capacity;
+  const double full = 1.0 / orders_.charge_s_per_unit;
+  if (orders_.taper_from >= 1.0 || energy <= begin) return full;
+  const double way = std::min(1.0, (energy - begin) / (battery.capacity - begin));
+  return full * (1.0 - way * (1.0 - orders_.taper_end_rate));
 }
 
 bool Charging::is_behind(const Meeting& meeting, const Inputs& inputs) const {
@@ -130,6 +153,12 @@ bool Charging::is_behind(const Meeting& meeting, const Inputs& inputs) const {
 
 bool Charging::waits_for_us(const Meeting& meeting, const Inputs& inputs) const {
   return is_on_ground(inputs) && vehicle_has_flown_ && is_near(meeting.site_m, inputs.vehicle->position_m);
+}
+
+/// On the ground somewhere else: it flew there unseen.
+bool Charging::has_left(const Inputs& inputs) const {
+  return is_on_ground(inputs) && !inputs.vehicle->docked_here &&
+         !is_near(drive_.position_m(), inputs.vehicle->position_m);
 }
 
 const Meeting* Charging::next_meeting(const Inputs& inputs) const {
@@ -150,14 +179,25 @@ bool Charging::is_delayed() const {
   });
 }
 
-void Charging::drive(const Vec3& target_m, double duration_s, Activity activity) {
-  if (is_delayed()) {
-    drive_.stop();
-    state_.activity = Activity::kDelayed;
-    return;
-  }
-  drive_.advance(target_m, orders_.speed_mps, duration_s);
-  state_.activity = activity;
+bool Charging::is_held_up() {
+  if (!is_delayed()) return false;
+  drive_.stop();
+  state_.activity = Activity::kDelayed;
+  return true;
+}
+
+void Charging::drive_to_site(const Meeting& meeting, double duration_s) {
+  if (is_held_up()) return;
+  const double speed = meeting.way_speed_mps > 0.0 ? meeting.way_speed_mps : orders_.speed_mps;
+  drive_.follow(meeting.way_m, meeting.site_m, std::min(speed, orders_.speed_mps), duration_s);
+  state_.activity = Activity::kDriving;
+}
+
+void Charging::carry(double duration_s) {
+  if (is_held_up()) return;
+  const double speed = current_.carry_speed_mps > 0.0 ? current_.carry_speed_mps : orders_.speed_mps;
+  drive_.follow(current_.carry_way_m, *current_.carry_to_m, std::min(speed, orders_.speed_mps), duration_s);
+  state_.activity = Activity::kCarrying;
 }
 
 void Charging::approach(const Inputs& inputs, double duration_s) {
@@ -170,7 +210,7 @@ void Charging::approach(const Inputs& inputs, double duration_s) {
   }
   state_.meeting_id = next->id;
   if (!drive_.stands_at(next->site_m)) {
-    drive(next->site_m, duration_s, Activity::kDriving);
+    drive_to_site(*next, duration_s);
     return;
   }
   drive_.stop();
@@ -204,6 +244,8 @@ void Charging::follow_changed_meeting(const Inputs& inputs) {
   if (same == orders_.meetings.end()) return;
   current_.charge_to = same->charge_to;
   current_.carry_to_m = same->carry_to_m;
+  current_.carry_way_m = same->carry_way_m;
+  current_.carry_speed_mps = same->carry_speed_mps;
   if (service_ != Service::kTakeOff && service_ != Service::kReady) return;
   const bool must_drive = current_.carry_to_m && !drive_.stands_at(*current_.carry_to_m);
   if (must_drive || missing_energy(inputs) > kRecharge) service_ = Service::kServing;
@@ -214,7 +256,7 @@ void Charging::charge(const Inputs& inputs, double duration_s) {
   state_.charge_rate = 0.0;
   if (!(missing > kChargeTolerance)) return;
   const double taper_s = kTaperSteps * duration_s;
-  const double greatest = 1.0 / orders_.charge_s_per_unit;
+  const double greatest = greatest_rate(*inputs.battery, energy_now(inputs));
   state_.charge_rate = missing < greatest * taper_s ? missing / taper_s : greatest;
 }
 
@@ -228,7 +270,7 @@ void Charging::serve(const Inputs& inputs, double duration_s) {
     const bool arrived = !current_.carry_to_m || drive_.stands_at(*current_.carry_to_m);
     charge(inputs, duration_s);
     if (!arrived) {
-      drive(*current_.carry_to_m, duration_s, Activity::kCarrying);
+      carry(duration_s);
       return;
     }
     state_.activity = Activity::kCharging;

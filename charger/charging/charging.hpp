@@ -20,18 +20,26 @@ struct Meeting {
   Vec3 site_m = Vec3::Zero();
   double charge_to = 0.0;
   std::optional<Vec3> carry_to_m;
+  /// Where the ways to the site, and on to carry_to_m, bend (Drive::follow), and how fast they are driven; 0:
+  /// at the orders' speed.
+  std::vector<Vec3> way_m{};
+  double way_speed_mps = 0.0;
+  std::vector<Vec3> carry_way_m{};
+  double carry_speed_mps = 0.0;
 };
 
 struct Orders {
   std::uint32_t revision = 0;
   double speed_mps = 1.0;
   double charge_s_per_unit = 1.0;
-  double landing_s = 0.0;   ///< handling after the vehicle has landed
-  double take_off_s = 0.0;  ///< handling before it may leave
+  double taper_from = 1.0;  ///< share of the battery's capacity where charging begins to slow down; 1: never
+  double taper_end_rate = 0.1;  ///< share of the rate that is left when it is full
+  double landing_s = 0.0;       ///< handling after the vehicle has landed
+  double take_off_s = 0.0;      ///< handling before it may leave
   Vec3 start_m = Vec3::Zero();
   std::vector<Meeting> meetings;  ///< those ahead, in order
 };
-/// Speed and charging time positive, handling times not negative, everything finite.
+/// Speed and charging time positive, handling times not negative, the taper within 0 … 1, everything finite.
 Status validate(const Orders& orders);
 
 /// The robot does not drive from at_s until at_s + duration_s.
@@ -114,11 +122,16 @@ class Charging {
 
   const Meeting* next_meeting(const Inputs& inputs) const;
   bool is_behind(const Meeting& meeting, const Inputs& inputs) const;
+  bool has_left(const Inputs& inputs) const;
   bool waits_for_us(const Meeting& meeting, const Inputs& inputs) const;
   bool is_delayed() const;
+  double energy_now(const Inputs& inputs) const;
   double missing_energy(const Inputs& inputs) const;
   void approach(const Inputs& inputs, double duration_s);
-  void drive(const Vec3& target_m, double duration_s, Activity activity);
+  void drive_to_site(const Meeting& meeting, double duration_s);
+  void carry(double duration_s);
+  bool is_held_up();
+  double greatest_rate(const BatteryView& battery, double energy) const;
   void take_on_board(const Meeting& meeting);
   void adopt_vehicle(const Inputs& inputs);
   void follow_changed_meeting(const Inputs& inputs);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "planner/base/result.hpp"
 #include "planner/base/vec.hpp"
 
@@ -7,6 +9,9 @@ namespace swallowtail::charger {
 
 /// How near to a site the robot counts as standing on it.
 inline constexpr double kArrival_m = 0.05;
+
+/// How far from its way the robot counts as on it.
+inline constexpr double kOnWay_m = 0.5;
 
 /// The ground robot's motion: straight over the ground at no more than its speed, stopping and turning at
 /// will. Distances are level ones; its height follows the straight line to the target.
@@ -17,6 +22,10 @@ class Drive {
   /// Moves towards `target_m` for `duration_s` at up to `speed_mps` and stands exactly on it once reached.
   /// Negative or non-finite arguments move nothing.
   void advance(const Vec3& target_m, double speed_mps, double duration_s);
+  /// The same along a way: from where it is, or from the nearest place on the way where it is off it by more
+  /// than kOnWay_m, through the bends that lie ahead, to the target. A way without bends is straight; else
+  /// its first bend is where it begins.
+  void follow(const std::vector<Vec3>& bends_m, const Vec3& target_m, double speed_mps, double duration_s);
   void stop() { speed_mps_ = 0.0; }
 
   const Vec3& position_m() const { return position_m_; }

@@ -6,6 +6,12 @@ namespace {
 Vec3 to_vec(const data::Vec3& v) { return {v.x_m, v.y_m, v.z_m}; }
 data::Vec3 to_data(const Vec3& v) { return {.x_m = v.x(), .y_m = v.y(), .z_m = v.z()}; }
 
+std::vector<Vec3> way_of(const data::ChargerPlan& plan, std::uint32_t first, std::uint32_t count) {
+  std::vector<Vec3> out;
+  for (std::uint32_t i = 0; i < count; ++i) out.push_back(to_vec(plan.bends.at(first + i)));
+  return out;
+}
+
 data::ChargerActivity to_data(Activity activity) {
   switch (activity) {
     case Activity::kIdle:
@@ -33,6 +39,8 @@ Orders to_orders(const data::ChargerPlan& plan) {
   orders.revision = plan.revision;
   orders.speed_mps = plan.speed_mps;
   orders.charge_s_per_unit = plan.charge_s_per_unit;
+  orders.taper_from = plan.taper_from;
+  orders.taper_end_rate = plan.taper_end_rate;
   orders.landing_s = plan.landing_s;
   orders.take_off_s = plan.take_off_s;
   orders.start_m = to_vec(plan.start);
@@ -43,6 +51,10 @@ Orders to_orders(const data::ChargerPlan& plan) {
     meeting.site_m = to_vec(rendezvous.site);
     meeting.charge_to = rendezvous.charge_to;
     if (rendezvous.carry) meeting.carry_to_m = to_vec(rendezvous.carry_to);
+    meeting.way_m = way_of(plan, rendezvous.first_bend, rendezvous.bend_count);
+    meeting.way_speed_mps = rendezvous.speed_mps;
+    meeting.carry_way_m = way_of(plan, rendezvous.carry_first_bend, rendezvous.carry_bend_count);
+    meeting.carry_speed_mps = rendezvous.carry_speed_mps;
     orders.meetings.push_back(meeting);
   }
   return orders;

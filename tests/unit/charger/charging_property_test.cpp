@@ -9,11 +9,21 @@
 namespace swallowtail::charger {
 namespace {
 
+std::vector<Vec3> random_way(Rng& rng) {
+  std::vector<Vec3> out(rng.below(5));
+  for (Vec3& bend : out) bend = Vec3(rng.uniform(-100, 100), rng.uniform(-100, 100), rng.uniform(0, 10));
+  return out;
+}
+
 Orders random_orders(Rng& rng) {
   Orders orders;
   orders.revision = 1;
   orders.speed_mps = rng.uniform(0.5, 4.0);
   orders.charge_s_per_unit = rng.uniform(0.2, 3.0);
+  if (rng.below(2) == 0) {
+    orders.taper_from = rng.uniform(0.5, 1.0);
+    orders.taper_end_rate = rng.uniform(0.1, 1.0);
+  }
   orders.landing_s = rng.uniform(0.0, 10.0);
   orders.take_off_s = rng.uniform(0.0, 10.0);
   orders.start_m = Vec3(rng.uniform(-100, 100), rng.uniform(-100, 100), rng.uniform(0, 10));
@@ -26,6 +36,11 @@ Orders random_orders(Rng& rng) {
     meeting.site_m = Vec3(rng.uniform(-100, 100), rng.uniform(-100, 100), rng.uniform(0, 10));
     meeting.charge_to = rng.uniform(10.0, 100.0);
     if (rng.below(3) == 0) meeting.carry_to_m = Vec3(rng.uniform(-100, 100), rng.uniform(-100, 100), 0.0);
+    if (rng.below(2) == 0) {
+      meeting.way_m = random_way(rng);
+      meeting.carry_way_m = random_way(rng);
+      meeting.way_speed_mps = rng.uniform(0.5, 8.0);
+    }
     orders.meetings.push_back(meeting);
   }
   return orders;

@@ -267,5 +267,37 @@ TEST(Charging, IgnoresTimeThatGoesBack) {
   EXPECT_EQ(after.position_m, before.position_m);
 }
 
+TEST(Charging, SlowsDownAsTheCurveSays) {
+  Orders orders = two_meetings();
+  orders.taper_from = 0.6;
+  orders.taper_end_rate = 0.1;
+  orders.meetings.resize(1);
+  orders.meetings[0].charge_to = 100.0;
+  Meet meet(orders);
+  meet.partner.fly_off();
+  meet.run(1.0);
+  meet.partner.land_at(orders.meetings[0].site_m);
+  ASSERT_TRUE(meet.reaches(Activity::kCharging));
+  while (meet.partner.energy < 55.0) meet.step();
+  EXPECT_NEAR(meet.charging.state().charge_rate, 0.5, 1e-9);
+  while (meet.partner.energy < 80.0) meet.step();
+  EXPECT_NEAR(meet.charging.state().charge_rate, 0.5 * 0.55, 0.01) << "half way down to a tenth";
+  EXPECT_TRUE(meet.reaches(Activity::kReady));
+}
+
+TEST(Charging, DrivesAlongItsWaysAtTheirSpeed) {
+  Orders orders = two_meetings();
+  orders.meetings[0].way_m = {orders.start_m, Vec3(0, 30, 0), Vec3(40, 30, 0)};
+  orders.meetings[0].way_speed_mps = 1.0;
+  Meet meet(orders);
+  meet.partner.fly_off();
+  meet.run(20.0);
+  EXPECT_NEAR(meet.charging.state().position_m.x(), 0.0, 1e-9);
+  EXPECT_NEAR(meet.charging.state().position_m.y(), 20.0, 0.2);
+  EXPECT_NEAR(meet.charging.state().speed_mps, 1.0, 1e-9);
+  ASSERT_TRUE(meet.reaches(Activity::kWaiting));
+  EXPECT_NEAR(meet.time_s, 100.0, 1.0);
+}
+
 }  // namespace
 }  // namespace swallowtail::charger
