@@ -7,6 +7,7 @@
 
 #include "planner/base/checks.hpp"
 #include "planner/participant/convert.hpp"
+#include "planner/participant/no_fly.hpp"
 #include "planner/path/certifier.hpp"
 #include "planner/replan/point_to_point.hpp"
 
@@ -86,16 +87,23 @@ void PlannerParticipant::use_limits(const data::VehicleLimits& limits, std::uint
   replanner_.emplace(limits_, params, &clock_);
 }
 
-void PlannerParticipant::take_mission() {
-  if (auto task = inbox_->task.take(); task && task->vehicle_id == options_.vehicle_id) {
-    if (!task_ || *task_ != *task) {
-      use_limits(task->vehicle, task->seed);
-      keeper_.set_has_terrain(task->has_terrain);
-      inbox_->charger_id.store(task->charger.charger_id);
-      mission_changed_ = true;
-    }
-    task_ = std::move(task);
+void PlannerParticipant::take_task(const data::CoverageTask& task) {
+  if (task_ && *task_ == task) return;
+  auto no_fly = no_fly_parts(task);
+  if (!no_fly) {
+    bus_.count_rejection("CoverageTask", "no-fly area not usable");
+    return status_->set_health(data::Health::kDegraded, no_fly.error().message);
   }
+  use_limits(task.vehicle, task.seed);
+  keeper_.set_has_terrain(task.has_terrain);
+  keeper_.set_no_fly(std::move(*no_fly), std::max(0.0, limits_.clearance_m() - kOffNoFly_m));
+  inbox_->charger_id.store(task.charger.charger_id);
+  mission_changed_ = true;
+  task_ = task;
+}
+
+void PlannerParticipant::take_mission() {
+  if (auto task = inbox_->task.take(); task && task->vehicle_id == options_.vehicle_id) take_task(*task);
   if (auto plan = inbox_->coverage.take()) {
     const bool same =
         coverage_ && !log_.empty() && same_ahead(*coverage_, *plan, vehicle_ ? vehicle_->legs_done : 0);

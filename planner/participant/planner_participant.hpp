@@ -88,6 +88,7 @@ class PlannerParticipant {
   void take_inbox();
   void take_changes();
   void take_mission();
+  void take_task(const data::CoverageTask& task);
   void take_path();
   void use_limits(const data::VehicleLimits& limits, std::uint64_t seed);
 

@@ -1,6 +1,8 @@
 #include "planner/participant/world_keeper.hpp"
 
 #include <algorithm>
+#include <limits>
+#include <utility>
 
 #include "planner/participant/convert.hpp"
 
@@ -8,6 +10,7 @@ namespace swallowtail::planner {
 namespace {
 
 constexpr double kMaxSamples = 5e7;
+constexpr double kBelowGround_m = 10.0;
 
 }  // namespace
 
@@ -71,6 +74,14 @@ void WorldKeeper::set_bounds(const Bounds& bounds) {
   changed_ = true;
 }
 
+void WorldKeeper::set_no_fly(std::vector<std::vector<Vec2>> parts, double relief_m) {
+  if (parts == no_fly_ && relief_m == no_fly_relief_m_) return;
+  no_fly_ = std::move(parts);
+  no_fly_relief_m_ = relief_m;
+  stale_ = true;
+  changed_ = true;
+}
+
 void WorldKeeper::set_has_terrain(bool has_terrain) {
   if (has_terrain == has_terrain_) return;
   has_terrain_ = has_terrain;
@@ -79,22 +90,52 @@ void WorldKeeper::set_has_terrain(bool has_terrain) {
   changed_ = true;
 }
 
+bool WorldKeeper::build_terrain() {
+  if (terrain_) return true;
+  lowest_m_ = highest_m_ = 0.0;
+  if (has_terrain_) {
+    Result<Terrain> terrain = Terrain::from_grid(grid_);
+    if (!terrain) return false;
+    terrain_ = std::move(terrain).value();
+    const auto [low, high] = std::minmax_element(grid_.elevation_m.begin(), grid_.elevation_m.end());
+    lowest_m_ = *low;
+    highest_m_ = *high;
+  } else {
+    terrain_ = Terrain::flat(0.0);
+  }
+  return true;
+}
+
+void WorldKeeper::add_no_fly(std::vector<Obstacle>& obstacles) const {
+  std::uint32_t id = std::numeric_limits<std::uint32_t>::max();
+  for (const std::vector<Vec2>& part : no_fly_) {
+    while (obstacles_.contains(id)) --id;
+    Obstacle prism;
+    prism.id = id--;
+    prism.position_m = Vec3(part.front().x(), part.front().y(), lowest_m_);
+    prism.relief_m = no_fly_relief_m_;
+    ConvexMesh mesh;
+    for (const double z : {-kBelowGround_m, highest_m_ - lowest_m_ + kNoFlyTop_m}) {
+      for (const Vec2& p : part)
+        mesh.vertices_m.emplace_back(p.x() - part.front().x(), p.y() - part.front().y(), z);
+    }
+    prism.shape = std::move(mesh);
+    // What is too thin to be a solid lies between others.
+    if (validate(prism)) obstacles.push_back(std::move(prism));
+  }
+}
+
 std::shared_ptr<const World> WorldKeeper::world() {
   if (!stale_) return world_;
   if (has_terrain_ && !map_is_complete()) return world_;
-  if (!terrain_) {
-    if (has_terrain_) {
-      Result<Terrain> terrain = Terrain::from_grid(grid_);
-      if (!terrain) return world_;
-      terrain_ = std::move(terrain).value();
-    } else {
-      terrain_ = Terrain::flat(0.0);
-    }
-  }
+  if (!build_terrain()) return world_;
   std::vector<Obstacle> obstacles;
   for (const auto& [id, obstacle] : obstacles_) obstacles.push_back(obstacle);
+  add_no_fly(obstacles);
+  Bounds bounds = bounds_;
+  if (!no_fly_.empty()) bounds.max_m.z() = std::min(bounds.max_m.z(), highest_m_ + kNoFlyTop_m);
   Result<std::shared_ptr<const World>> made =
-      World::make(*terrain_, std::move(obstacles), bounds_, terrain_revision_, obstacle_revision_);
+      World::make(*terrain_, std::move(obstacles), bounds, terrain_revision_, obstacle_revision_);
   if (made) {
     world_ = std::move(made).value();
     stale_ = false;

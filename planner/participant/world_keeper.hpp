@@ -23,6 +23,10 @@ class WorldKeeper {
   Status put(const data::Obstacle& obstacle);
   void remove_obstacle(std::uint32_t id);
   void set_bounds(const Bounds& bounds);
+  /// Convex polygons that no path enters: prisms from below the ground to kNoFlyTop_m above its highest
+  /// point, which paths stay below then. Of the vehicle's radius and margin `relief_m` need not be kept from
+  /// them. Their ids go down from the greatest there is.
+  void set_no_fly(std::vector<std::vector<Vec2>> parts, double relief_m);
   /// With terrain there is no World before its tiles are complete; without it the ground is at z = 0.
   void set_has_terrain(bool has_terrain);
 
@@ -36,9 +40,12 @@ class WorldKeeper {
   std::uint32_t terrain_revision() const { return terrain_revision_; }
 
   static constexpr std::uint32_t kMapId = 1;
+  static constexpr double kNoFlyTop_m = 1000.0;
 
  private:
   bool map_is_complete() const { return !grid_.elevation_m.empty() && missing_ == 0; }
+  bool build_terrain();
+  void add_no_fly(std::vector<Obstacle>& obstacles) const;
 
   std::map<std::uint32_t, Obstacle> obstacles_;
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> tile_revisions_;
@@ -47,6 +54,10 @@ class WorldKeeper {
   std::size_t missing_ = 0;
   bool has_terrain_ = false;
   std::optional<Terrain> terrain_;
+  double lowest_m_ = 0.0;  ///< of the terrain
+  double highest_m_ = 0.0;
+  std::vector<std::vector<Vec2>> no_fly_;
+  double no_fly_relief_m_ = 0.0;
   Bounds bounds_;
   std::uint32_t obstacle_revision_ = 0;
   std::uint32_t terrain_revision_ = 0;
