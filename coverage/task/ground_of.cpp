@@ -12,12 +12,27 @@ namespace {
 
 using Travel = std::shared_ptr<const GroundTravel>;
 
+Result<std::vector<Polygon>> read_closed(const std::string& path,
+                                         const std::optional<planner::GeoOrigin>& origin) {
+  FieldFileOptions options;
+  options.origin = origin;
+  const Result<FieldFile> file = read_fields(path, options);
+  if (!file) return file.error();
+  std::vector<Polygon> out;
+  for (const Field& field : file->fields) {
+    const Result<std::vector<Polygon>> parts = clean(field.polygon);
+    if (!parts) {
+      return Error{parts.error().code, "'" + path + "', '" + field.name + "': " + parts.error().message};
+    }
+    out.insert(out.end(), parts->begin(), parts->end());
+  }
+  return out;
+}
+
 Result<Travel> along_roads(const planner::RoadSpec& spec, double speed_mps,
-                           const std::optional<planner::GeoOrigin>& origin) {
-  Result<std::vector<std::vector<Vec2>>> lines = read_roads(spec.file, origin);
-  if (!lines) return lines.error();
+                           std::vector<std::vector<Vec2>> lines) {
   RoadParams params;
-  params.lines = std::move(*lines);
+  params.lines = std::move(lines);
   params.speed_mps = speed_mps;
   params.off_road_speed_mps = spec.off_road_speed_mps;
   params.off_road_max_m = spec.off_road_max_m;
@@ -27,27 +42,14 @@ Result<Travel> along_roads(const planner::RoadSpec& spec, double speed_mps,
 }
 
 Result<Travel> over_ground(const planner::RoughGroundSpec& spec, double speed_mps, const Box& ground,
-                           const std::optional<planner::GeoOrigin>& origin, const planner::Terrain& terrain) {
+                           std::vector<Polygon> closed, const planner::Terrain& terrain) {
   RoughGroundParams params;
   params.lo_m = ground.lo;
   params.hi_m = ground.hi;
   params.cell_m = spec.cell_m;
   params.speed_mps = speed_mps;
   params.slope_max_rad = spec.slope_max_rad;
-  if (!spec.forbidden_file.empty()) {
-    FieldFileOptions options;
-    options.origin = origin;
-    const Result<FieldFile> file = read_fields(spec.forbidden_file, options);
-    if (!file) return file.error();
-    for (const Field& field : file->fields) {
-      const Result<std::vector<Polygon>> parts = clean(field.polygon);
-      if (!parts) {
-        return Error{parts.error().code,
-                     "'" + spec.forbidden_file + "', '" + field.name + "': " + parts.error().message};
-      }
-      params.forbidden.insert(params.forbidden.end(), parts->begin(), parts->end());
-    }
-  }
+  params.forbidden = std::move(closed);
   const auto out = RoughGround::make(params, terrain);
   if (!out) return out.error();
   return Travel(*out);
@@ -55,12 +57,31 @@ Result<Travel> over_ground(const planner::RoughGroundSpec& spec, double speed_mp
 
 }  // namespace
 
+Result<RobotGround> read_robot_ground(const planner::ChargerSpec& charger,
+                                      const std::optional<planner::GeoOrigin>& origin) {
+  RobotGround out;
+  if (const auto* roads = std::get_if<planner::RoadSpec>(&charger.ground)) {
+    auto lines = read_roads(roads->file, origin);
+    if (!lines) return lines.error();
+    out.roads = std::move(*lines);
+  }
+  const auto* rough = std::get_if<planner::RoughGroundSpec>(&charger.ground);
+  if (rough != nullptr && !rough->forbidden_file.empty()) {
+    auto closed = read_closed(rough->forbidden_file, origin);
+    if (!closed) return closed.error();
+    out.closed = std::move(*closed);
+  }
+  return out;
+}
+
 Result<Travel> ground_of(const planner::ChargerSpec& charger, const Box& ground,
                          const std::optional<planner::GeoOrigin>& origin, const planner::Terrain& terrain) {
+  auto read = read_robot_ground(charger, origin);
+  if (!read) return read.error();
   if (const auto* roads = std::get_if<planner::RoadSpec>(&charger.ground))
-    return along_roads(*roads, charger.speed_mps, origin);
+    return along_roads(*roads, charger.speed_mps, std::move(read->roads));
   if (const auto* rough = std::get_if<planner::RoughGroundSpec>(&charger.ground))
-    return over_ground(*rough, charger.speed_mps, ground, origin, terrain);
+    return over_ground(*rough, charger.speed_mps, ground, std::move(read->closed), terrain);
   return Travel();
 }
 

@@ -62,18 +62,33 @@ void CoverageRaster::add_field(const coverage::Field& field) {
                 .cols = static_cast<std::size_t>(std::ceil((box.hi.x() - box.lo.x()) / cell_m_)),
                 .height_m = field.height_m};
   raster.cells.assign(raster.rows * raster.cols, kOutside);
+  mark(raster, field.polygon, kOpen);
+  for (const coverage::Polygon& area : params_.no_fly) mark(raster, area, kOutside);
+  if (params_.skipped_border_m > 0.0) skip_border(raster, field.polygon);
+  inside_ += static_cast<std::size_t>(std::ranges::count(raster.cells, kOpen));
+  rasters_.push_back(std::move(raster));
+}
+
+void CoverageRaster::mark(Raster& raster, const coverage::Polygon& polygon, Cell as) const {
   for (std::size_t row = 0; row < raster.rows; ++row) {
     const double y_m = raster.origin_m.y() + static_cast<double>(row) * cell_m_;
-    const std::vector<double> xs = crossings(field.polygon, y_m);
+    const std::vector<double> xs = crossings(polygon, y_m);
     for (std::size_t i = 0; i + 1 < xs.size(); i += 2) {
       const auto [first, last] =
           index_range(xs[i] - raster.origin_m.x(), xs[i + 1] - raster.origin_m.x(), cell_m_, raster.cols);
       std::fill_n(raster.cells.begin() + static_cast<std::ptrdiff_t>(row * raster.cols + first), last - first,
-                  kOpen);
+                  as);
     }
   }
-  inside_ += static_cast<std::size_t>(std::ranges::count(raster.cells, kOpen));
-  rasters_.push_back(std::move(raster));
+}
+
+void CoverageRaster::skip_border(Raster& raster, const coverage::Polygon& polygon) const {
+  for (std::size_t i = 0; i < raster.cells.size(); ++i) {
+    if (raster.cells[i] != kOpen) continue;
+    const Vec2 centre_m = raster.origin_m + cell_m_ * Vec2(static_cast<double>(i % raster.cols),
+                                                           static_cast<double>(i / raster.cols));
+    if (coverage::border_distance_m(polygon, centre_m) < params_.skipped_border_m) raster.cells[i] = kOutside;
+  }
 }
 
 void CoverageRaster::stamp(const Vec3& from_m, const Vec3& to_m) {

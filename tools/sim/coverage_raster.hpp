@@ -16,10 +16,12 @@ struct SwathParams {
   double height_tolerance_m = 2.0;
   double finest_cell_m = 1.0;         ///< cells are at most this size unless there would be too many of them
   std::size_t max_cells = 2'000'000;  ///< over all fields
+  std::vector<coverage::Polygon> no_fly{};  ///< not asked for
+  double skipped_border_m = 0.0;            ///< nor what is nearer to a field's border
 };
 
 /// Which part of the fields has been seen from the required height: one raster per field, a cell counts when
-/// its centre lies in the field and has been under the swath.
+/// its centre lies in the field, outside no-fly areas and the skipped border, and has been under the swath.
 class CoverageRaster {
  public:
   CoverageRaster(std::span<const coverage::Field> fields, const planner::Terrain& terrain,
@@ -46,6 +48,8 @@ class CoverageRaster {
   };
 
   void add_field(const coverage::Field& field);
+  void mark(Raster& raster, const coverage::Polygon& polygon, Cell as) const;
+  void skip_border(Raster& raster, const coverage::Polygon& polygon) const;
   void stamp(Raster& raster, const Vec2& from_m, const Vec2& to_m);
 
   planner::Terrain terrain_;

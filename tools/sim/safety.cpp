@@ -10,6 +10,7 @@ namespace {
 /// Clearances are lower bounds to within this; a path that is certified to the limit must not be counted.
 constexpr double kSlack_m = 1e-3;
 constexpr double kBelowGround_m = 0.05;
+constexpr double kNoFlySlack_m = 0.01;
 
 bool is_near_ground_by_intent(data::VehicleMode mode) {
   return mode == data::VehicleMode::kTakingOff || mode == data::VehicleMode::kLanding;
@@ -24,14 +25,31 @@ std::string describe(const Motion& at, const char* what, double distance_m, std:
 
 }  // namespace
 
-Safety::Safety(const planner::VehicleLimits& limits, std::shared_ptr<const planner::World> world)
-    : limits_(limits) {
+Safety::Safety(const planner::VehicleLimits& limits, std::shared_ptr<const planner::World> world,
+               std::vector<coverage::Polygon> no_fly)
+    : limits_(limits), no_fly_(std::move(no_fly)) {
   query_.emplace(std::move(world));
+}
+
+void Safety::watch_no_fly(const Motion& to) {
+  const Vec2 at = to.position_m.head<2>();
+  const auto within = std::ranges::find_if(no_fly_, [&](const coverage::Polygon& area) {
+    return coverage::contains(area, at) && coverage::border_distance_m(area, at) > kNoFlySlack_m;
+  });
+  const bool is_within = within != no_fly_.end();
+  if (is_within && !was_within_) {
+    ++violations_;
+    const auto index = static_cast<std::uint32_t>(within - no_fly_.begin());
+    if (first_violation_.empty())
+      first_violation_ = describe(to, "inside no-fly area", -coverage::border_distance_m(*within, at), index);
+  }
+  was_within_ = is_within;
 }
 
 void Safety::change_world(std::shared_ptr<const planner::World> world) { query_.emplace(std::move(world)); }
 
 void Safety::observe(const Motion& from, const Motion& to) {
+  watch_no_fly(to);
   if (from.on_ground() && to.on_ground()) {
     clearance_m_ = 0.0;
     was_violated_ = was_collided_ = false;

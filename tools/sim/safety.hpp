@@ -5,7 +5,9 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "coverage/field/polygon.hpp"
 #include "planner/path/path.hpp"
 #include "planner/world/clearance.hpp"
 #include "tools/sim/aircraft.hpp"
@@ -15,11 +17,13 @@ namespace swallowtail::sim {
 /// Watches the true flight against the true world, every step, continuously within the step.
 /// - violation: nearer to an obstacle than radius + margin + its own margin, or less than radius + margin
 /// above the ground outside take-off and landing;
+/// - violation too: within a no-fly area by more than its tolerance, on the ground as well;
 /// - collision: nearer to an obstacle than the radius, or below the ground.
 /// One episode counts once, however long it lasts. On the ground nothing counts.
 class Safety {
  public:
-  Safety(const planner::VehicleLimits& limits, std::shared_ptr<const planner::World> world);
+  Safety(const planner::VehicleLimits& limits, std::shared_ptr<const planner::World> world,
+         std::vector<coverage::Polygon> no_fly = {});
 
   void change_world(std::shared_ptr<const planner::World> world);
   /// The flight from one state to the next.
@@ -37,7 +41,11 @@ class Safety {
 
  private:
   const planner::VehicleLimits limits_;
+  void watch_no_fly(const Motion& to);
+
   std::optional<planner::ClearanceQuery> query_;
+  const std::vector<coverage::Polygon> no_fly_;
+  bool was_within_ = false;
   std::uint64_t violations_ = 0;
   std::uint64_t collisions_ = 0;
   bool was_violated_ = false;

@@ -26,7 +26,7 @@ Simulation::Simulation(const planner::Scenario& scenario, const SimulationOption
       mission_(std::move(mission)),
       timeline_(std::move(timeline)),
       aircraft_(scenario.vehicle.id, mission_.start_m, terrain_),
-      safety_(scenario.vehicle.limits, timeline_.world()),
+      safety_(scenario.vehicle.limits, timeline_.world(), mission_.no_fly),
       referee_({.goal_m = scenario.coverage ? std::nullopt : scenario.goal_m,
                 .max_time_s = options.max_time_s,
                 .grace_s = options.grace_s}) {
@@ -34,9 +34,12 @@ Simulation::Simulation(const planner::Scenario& scenario, const SimulationOption
     const planner::CoverageSpec& coverage = *scenario_.coverage;
     battery_.emplace(scenario_, options.capacity_share * coverage.battery.capacity, options.seed,
                      options.consumption);
+    const bool skips = coverage.headland == planner::HeadlandUse::kSkip;
     raster_.emplace(mission_.fields, terrain_,
                     SwathParams{.sensor_width_m = coverage.sensor_width_m,
-                                .height_tolerance_m = coverage.height_tolerance_m});
+                                .height_tolerance_m = coverage.height_tolerance_m,
+                                .no_fly = mission_.no_fly,
+                                .skipped_border_m = skips ? coverage.headland_m : 0.0});
   }
 }
 

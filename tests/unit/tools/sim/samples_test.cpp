@@ -92,11 +92,21 @@ TEST(Mission, AsksForTheScenariosFields) {
   EXPECT_FALSE(task.has_terrain);
 }
 
+const std::string kValid = std::string(SWALLOWTAIL_SOURCE_DIR) + "/tests/data/scenarios/valid/";
+
+Mission sample_mission(const std::string& file) {
+  const auto scenario = planner::read_scenario(kValid + file);
+  EXPECT_TRUE(scenario.ok()) << file;
+  const auto mission = make_mission(*scenario, planner::load_terrain(*scenario).value(), 1);
+  EXPECT_TRUE(mission.ok()) << file << ": " << mission.error().message;
+  return mission.value();
+}
+
 TEST(Mission, OfEachSampleScenarioIsWithinTheContract) {
-  const std::string folder = std::string(SWALLOWTAIL_SOURCE_DIR) + "/tests/data/scenarios/valid/";
-  for (const char* file : {"full.yaml", "flat.yaml", "smallest.yaml", "returning_obstacle.yaml"}) {
+  for (const char* file : {"full.yaml", "flat.yaml", "smallest.yaml", "returning_obstacle.yaml",
+                           "field_rules.yaml", "robot_on_roads.yaml", "robot_on_rough.yaml"}) {
     SCOPED_TRACE(file);
-    const auto scenario = planner::read_scenario(folder + file);
+    const auto scenario = planner::read_scenario(kValid + file);
     ASSERT_TRUE(scenario.ok()) << scenario.errors().text();
     const auto terrain = planner::load_terrain(*scenario);
     ASSERT_TRUE(terrain.ok());
@@ -121,16 +131,65 @@ TEST(Mission, SaysWhyNoFieldCanBeFlown) {
   EXPECT_NE(mission.error().message.find("bow tie"), std::string::npos);
 }
 
-TEST(Mission, RefusesNoFlyAreasThatTheWireDoesNotCarry) {
+TEST(Mission, CarriesNoFlyAreas) {
   auto scenario = scenario_with();
   std::ofstream(scenario.coverage->fields_file)
       << R"({"type":"FeatureCollection","features":[{"type":"Feature","properties":{"id":"field","crs":"local metres"},
 "geometry":{"type":"Polygon","coordinates":[[[0,0],[100,0],[100,100],[0,100],[0,0]]]}},
 {"type":"Feature","properties":{"id":"pond","no_fly":"true","crs":"local metres"},
-"geometry":{"type":"Polygon","coordinates":[[[40,40],[60,40],[60,60],[40,60],[40,40]]]}}]})";
+"geometry":{"type":"Polygon","coordinates":[[[40,40],[60,40],[60,60],[40,60],[40,40]],[[45,45],[55,45],[55,55],[45,55],[45,45]]]}}]})";
   const auto mission = make_mission(scenario, planner::Terrain::flat(0.0), 1);
-  ASSERT_FALSE(mission.ok());
-  EXPECT_NE(mission.error().message.find("1 no-fly areas"), std::string::npos) << mission.error().message;
+  ASSERT_TRUE(mission.ok()) << mission.error().message;
+  const data::CoverageTask& task = *mission->task;
+  EXPECT_FALSE(data::validate(task)) << *data::validate(task);
+  EXPECT_EQ(task.fields.size(), 1U);
+  ASSERT_EQ(mission->no_fly.size(), 1U);
+  ASSERT_EQ(task.rings.size(), 3U);
+  EXPECT_EQ(task.rings[1].kind, data::AreaKind::kNoFly);
+  EXPECT_FALSE(task.rings[1].is_hole);
+  EXPECT_TRUE(task.rings[2].is_hole);
+  EXPECT_EQ(task.points.size(), 12U);
+}
+
+TEST(Mission, CarriesRulesEnergyModelAndCharging) {
+  const auto rules = sample_mission("field_rules.yaml").task.value();
+  const auto scenario = planner::read_scenario(kValid + "field_rules.yaml");
+  EXPECT_EQ(rules.rules.overlap, scenario->coverage->overlap);
+  EXPECT_EQ(rules.rules.has_sweep, scenario->coverage->sweep_rad.has_value());
+  EXPECT_EQ(rules.rules.headland == data::HeadlandUse::kNone,
+            scenario->coverage->headland == planner::HeadlandUse::kNone);
+  EXPECT_EQ(rules.rules.headland_m, scenario->coverage->headland_m);
+  EXPECT_EQ(rules.rules.has_ceiling, scenario->coverage->ceiling_m.has_value());
+  auto flown = scenario_with();
+  flown.vehicle.energy.altitude_per_m = 1e-4;
+  flown.vehicle.multirotor = planner::MultirotorSpec{.mass_kg = 2.5, .unit_j = 1800.0};
+  flown.wind = {.speed_mps = 3.0, .direction_rad = 1.5707963267948966};
+  flown.coverage->battery.taper_from = 0.7;
+  flown.coverage->battery.taper_end_rate = 0.2;
+  const auto mission = make_mission(flown, planner::Terrain::flat(0.0), 1);
+  ASSERT_TRUE(mission.ok()) << mission.error().message;
+  const data::BatteryLimits& battery = mission->task->battery;
+  EXPECT_TRUE(battery.model.is_multirotor);
+  EXPECT_EQ(battery.model.multirotor.mass_kg, 2.5);
+  EXPECT_EQ(battery.model.unit_j, 1800.0);
+  EXPECT_EQ(battery.model.altitude_per_m, 1e-4);
+  EXPECT_NEAR(battery.model.wind_east_mps, 3.0, 1e-9);
+  EXPECT_NEAR(battery.model.wind_north_mps, 0.0, 1e-9);
+  EXPECT_EQ(battery.charge_s_per_unit, flown.coverage->battery.charge_s_per_unit);
+  EXPECT_EQ(battery.taper_from, 0.7);
+  EXPECT_EQ(battery.taper_end_rate, 0.2);
+  EXPECT_FALSE(data::validate(*mission->task)) << *data::validate(*mission->task);
+}
+
+TEST(Mission, CarriesTheRobotsGround) {
+  const auto roads = sample_mission("robot_on_roads.yaml").task.value();
+  EXPECT_EQ(roads.charger.ground.kind, data::GroundKind::kRoads);
+  EXPECT_EQ(roads.charger.ground.off_road_speed_mps, 1.2);
+  EXPECT_FALSE(roads.roads.empty());
+  const auto rough = sample_mission("robot_on_rough.yaml").task.value();
+  EXPECT_EQ(rough.charger.ground.kind, data::GroundKind::kRough);
+  EXPECT_EQ(rough.charger.ground.cell_m, 4.0);
+  EXPECT_EQ(rough.rings.back().kind, data::AreaKind::kNoDrive);
 }
 
 }  // namespace
