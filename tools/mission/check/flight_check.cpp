@@ -8,6 +8,7 @@
 
 #include "tools/mission/check/distance.hpp"
 #include "tools/mission/check/findings.hpp"
+#include "tools/mission/check/places.hpp"
 #include "tools/mission/check/refly.hpp"
 #include "tools/mission/check/swath.hpp"
 
@@ -146,7 +147,7 @@ void sweep(const Rules& rules, const Piece& piece, Swath& swath) {
 
 void judge_pieces(const Rules& rules, const std::vector<Piece>& pieces, FlightReport& report,
                   Findings& findings) {
-  Swath swath(rules.fields, kCell_m);
+  Swath swath(rules, kCell_m);
   for (const Piece& piece : pieces) {
     if (piece.on_ground) continue;
     report.flight_s += piece.t1_s - piece.t0_s;
@@ -157,6 +158,7 @@ void judge_pieces(const Rules& rules, const std::vector<Piece>& pieces, FlightRe
       judge_solids(rules, p, t, report, findings);
       judge_ground(rules, piece, p, t, report, findings);
       judge_bounds(rules, p, t, findings);
+      judge_no_fly(rules, p, t, findings);
     }
     judge_speed(rules, piece, findings);
     sweep(rules, piece, swath);
@@ -298,6 +300,7 @@ FlightReport check_flight(const FlightLog& log, const Rules& rules) {
   judge_battery(log, rules, report, findings);
   judge_charging(log, rules, report, findings);
   judge_charger_speed(log, rules, findings);
+  judge_robot_ground(log, rules, findings);
   if (!log.states.empty()) report.mission_s = log.states.back().time_s - log.states.front().time_s;
   if (!std::isfinite(report.clearance_min_m)) report.clearance_min_m = 0.0;
   report.violations = findings.take();

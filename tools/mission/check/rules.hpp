@@ -51,10 +51,12 @@ struct Ground {
   double at(double x, double y) const;
 };
 
+using Rings = std::vector<std::vector<P2>>;  ///< outline, then holes
+
 struct FieldArea {
   std::string id;
-  double height_m = 0.0;               ///< required, above ground
-  std::vector<std::vector<P2>> rings;  ///< outline, then holes
+  double height_m = 0.0;  ///< required, above ground
+  Rings rings;
 };
 
 /// What a mission must keep to, taken from its scenario.
@@ -71,6 +73,11 @@ struct Rules {
   double battery_capacity = 0.0;
   double battery_reserve = 0.0;
   double charger_speed_mps = 0.0;
+  std::vector<Rings> no_fly;           ///< the aircraft is never inside
+  double skipped_border_m = 0.0;       ///< of fields: not to be seen
+  std::vector<Rings> no_drive;         ///< the robot is never inside
+  std::vector<std::vector<P2>> roads;  ///< empty: it drives anywhere
+  double off_road_m = 0.0;             ///< how far from a road it may be
 };
 
 }  // namespace swallowtail::check

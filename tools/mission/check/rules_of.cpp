@@ -1,11 +1,17 @@
 #include "tools/mission/check/rules_of.hpp"
 
+#include <variant>
+
 #include "coverage/task/fields_of.hpp"
+#include "coverage/task/ground_of.hpp"
 #include "planner/scenario/load.hpp"
 #include "tools/mission/check/solids_of.hpp"
 
 namespace swallowtail::check {
 namespace {
+
+/// The robot counts as on a road this near to it.
+constexpr double kOnRoad_m = 2.0;
 
 P3 point(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
@@ -31,15 +37,30 @@ std::vector<P2> ring_of(const coverage::Ring& vertices) {
   return ring;
 }
 
+Rings rings_of(const coverage::Polygon& polygon) {
+  Rings rings{ring_of(polygon.outline)};
+  for (const auto& hole : polygon.holes) rings.push_back(ring_of(hole));
+  return rings;
+}
+
+Status add_robot_ground(const planner::Scenario& scenario, const std::optional<planner::GeoOrigin>& origin,
+                        Rules& rules) {
+  const planner::ChargerSpec& charger = scenario.coverage->charger;
+  const auto ground = coverage::read_robot_ground(charger, origin);
+  if (!ground) return ground.error();
+  for (const auto& line : ground->roads) rules.roads.push_back(ring_of(line));
+  for (const auto& area : ground->closed) rules.no_drive.push_back(rings_of(area));
+  if (const auto* roads = std::get_if<planner::RoadSpec>(&charger.ground))
+    rules.off_road_m = roads->off_road_speed_mps > 0.0 ? roads->off_road_max_m : kOnRoad_m;
+  return {};
+}
+
 Status add_coverage(const planner::Scenario& scenario, Rules& rules) {
   const auto fields = coverage::fields_of(scenario);
   if (!fields) return fields.error();
   for (const auto& field : fields->fields) {
-    FieldArea area{field.name.empty() ? std::to_string(field.id) : field.name,
-                   field.height_m,
-                   {ring_of(field.polygon.outline)}};
-    for (const auto& hole : field.polygon.holes) area.rings.push_back(ring_of(hole));
-    rules.fields.push_back(std::move(area));
+    rules.fields.push_back({field.name.empty() ? std::to_string(field.id) : field.name, field.height_m,
+                            rings_of(field.polygon)});
   }
   const auto& coverage = *scenario.coverage;
   rules.has_coverage = true;
@@ -48,7 +69,9 @@ Status add_coverage(const planner::Scenario& scenario, Rules& rules) {
   rules.battery_capacity = coverage.battery.capacity;
   rules.battery_reserve = coverage.battery.reserve;
   rules.charger_speed_mps = coverage.charger.speed_mps;
-  return {};
+  for (const auto& area : fields->no_fly) rules.no_fly.push_back(rings_of(area));
+  if (coverage.headland == planner::HeadlandUse::kSkip) rules.skipped_border_m = coverage.headland_m;
+  return add_robot_ground(scenario, fields->origin, rules);
 }
 
 }  // namespace

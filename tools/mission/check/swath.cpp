@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "tools/mission/check/areas.hpp"
+
 namespace swallowtail::check {
 namespace {
 
@@ -11,19 +13,16 @@ constexpr double kMaxCells = 4e6;
 
 }  // namespace
 
-bool holds(const FieldArea& field, const P2& p) {
-  bool inside = false;
-  for (const auto& ring : field.rings) {
-    for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
-      const P2& a = ring[i];
-      const P2& b = ring[j];
-      if ((a.y > p.y) != (b.y > p.y) && p.x < (b.x - a.x) * (p.y - a.y) / (b.y - a.y) + a.x) inside = !inside;
-    }
-  }
-  return inside;
+bool Swath::is_asked_for(const Rules& rules, std::size_t field, const P2& centre) const {
+  const Rings& rings = rules.fields[field].rings;
+  if (!holds(rings, centre)) return false;
+  if (rules.skipped_border_m > 0.0 && border_distance_m(rings, centre) < rules.skipped_border_m) return false;
+  return std::none_of(rules.no_fly.begin(), rules.no_fly.end(),
+                      [&](const Rings& area) { return holds(area, centre); });
 }
 
-Swath::Swath(const std::vector<FieldArea>& fields, double cell_m) : cell_m_(cell_m) {
+Swath::Swath(const Rules& rules, double cell_m) : cell_m_(cell_m) {
+  const std::vector<FieldArea>& fields = rules.fields;
   constexpr double kInf = std::numeric_limits<double>::infinity();
   P2 lo{kInf, kInf};
   P2 hi{-kInf, -kInf};
@@ -48,7 +47,7 @@ Swath::Swath(const std::vector<FieldArea>& fields, double cell_m) : cell_m_(cell
         const P2 centre{lo.x + (static_cast<double>(c) + 0.5) * cell_m_,
                         lo.y + (static_cast<double>(r) + 0.5) * cell_m_};
         auto& owner = owner_[r * cols_ + c];
-        if (owner < 0 && holds(fields[f], centre)) owner = static_cast<std::int16_t>(f);
+        if (owner < 0 && is_asked_for(rules, f, centre)) owner = static_cast<std::int16_t>(f);
       }
     }
   }

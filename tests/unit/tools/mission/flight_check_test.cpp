@@ -104,6 +104,48 @@ TEST(FlightCheck, FindsObstacleTooNearOnlyWhileItIsThere) {
   EXPECT_FALSE(finds(m, "clearance"));
 }
 
+TEST(FlightCheck, FindsTheAircraftInsideANoFlyAreaAtAnyHeight) {
+  Mission m = clean_mission();
+  m.rules.no_fly = {{{{40, 4.9}, {60, 4.9}, {60, 30}, {40, 30}}}};
+  EXPECT_TRUE(finds(m, "no_fly"));
+  m.rules.no_fly[0].push_back({{40.01, 4.92}, {59.99, 4.92}, {59.99, 20}, {40.01, 20}});
+  EXPECT_FALSE(finds(m, "no_fly")) << "its hole is open";
+  m.rules.no_fly = {{{{40, 5.0}, {60, 5.0}, {60, 30}, {40, 30}}}};
+  EXPECT_FALSE(finds(m, "no_fly")) << "along its border";
+}
+
+TEST(FlightCheck, WhatIsNotAskedForNeedNotBeSeen) {
+  Mission m = clean_mission();
+  m.rules.fields[0].rings = {{{-50, 0}, {100, 0}, {100, 10}, {-50, 10}}};
+  EXPECT_LT(check_flight(m.log, m.rules).covered_percent, 70.0);
+  m.rules.no_fly = {{{{-50, 0}, {-0.2, 0}, {-0.2, 10}, {-50, 10}}}};
+  EXPECT_DOUBLE_EQ(check_flight(m.log, m.rules).covered_percent, 100.0);
+  m.rules.no_fly.clear();
+  m.rules.fields[0].rings = {{{-3, -3}, {103, -3}, {103, 13}, {-3, 13}}};
+  EXPECT_LT(check_flight(m.log, m.rules).covered_percent, 70.0);
+  m.rules.skipped_border_m = 3.0;
+  EXPECT_DOUBLE_EQ(check_flight(m.log, m.rules).covered_percent, 100.0);
+}
+
+TEST(FlightCheck, FindsTheRobotOffItsRoadsAndOnClosedGround) {
+  Mission m = clean_mission();
+  for (int t = 0; t <= 30; ++t) {
+    data::ChargerState robot;
+    robot.charger_id = 1;
+    robot.time_s = t;
+    robot.position = {t * 1.0, -20, 0};
+    m.log.chargers.push_back(robot);
+  }
+  m.rules.roads = {{{0, -20}, {50, -20}}};
+  EXPECT_TRUE(check_flight(m.log, m.rules).ok());
+  m.rules.roads = {{{0, -20}, {10, -20}, {10, 0}}};
+  EXPECT_TRUE(finds(m, "off_road"));
+  m.rules.off_road_m = 20.0;
+  EXPECT_FALSE(finds(m, "off_road"));
+  m.rules.no_drive = {{{{12, -25}, {18, -25}, {18, -15}, {12, -15}}}};
+  EXPECT_TRUE(finds(m, "closed_ground"));
+}
+
 TEST(FlightCheck, FindsMovingObstacleWhereItMeetsTheFlight) {
   Mission m = clean_mission();
   Solid ball;
