@@ -22,7 +22,8 @@ FlightModel::FlightModel(const planner::VehicleLimits& limits, const EnergyModel
                          const planner::Terrain& terrain, const Ways* ways)
     : limits_(limits),
       energy_(energy),
-      in_wind_(energy.multirotor && energy.wind_mps != Vec2::Zero()),
+      in_wind_((energy.multirotor && energy.wind_mps != Vec2::Zero()) ||
+               energy.correction.along != Vec2::Zero()),
       level_per_s_(base_power(energy, Vec3(limits.cruise_speed_mps, 0.0, 0.0))),
       climb_per_s_(base_power(energy, Vec3(0.0, 0.0, limits.climb_speed_mps))),
       descent_per_s_(base_power(energy, Vec3(0.0, 0.0, -limits.descent_speed_mps))),

@@ -17,6 +17,16 @@ double multirotor_power(const EnergyModel& model, const Vec3& velocity_mps) {
   return power_w(*model.multirotor, air) / model.unit_j;
 }
 
+double plain_power(const EnergyModel& model, const Vec3& velocity_mps) {
+  if (model.multirotor) return multirotor_power(model, velocity_mps);
+  const double level = velocity_mps.head<2>().norm();
+  const double vertical = std::abs(velocity_mps.z());
+  if (level + vertical < kStill_mps) return model.hover_per_s;
+  const double vertical_rate = velocity_mps.z() > 0.0 ? model.climb_per_s : model.descent_per_s;
+  if (vertical == 0.0) return model.level_per_s;
+  return (model.level_per_s * level + vertical_rate * vertical) / (level + vertical);
+}
+
 std::string text(double value) {
   std::string out = std::to_string(value);
   out.erase(out.find_last_not_of('0') + 1);
@@ -64,23 +74,26 @@ double mean_altitude_factor(const EnergyModel& model, double from_m, double to_m
   return 1.0 + model.altitude_per_m * high * high / (2.0 * (high - low));
 }
 
+Vec2 level_heading(const Vec3& velocity_mps) {
+  const double both = velocity_mps.head<2>().norm() + std::abs(velocity_mps.z());
+  return both < kStill_mps ? Vec2(Vec2::Zero()) : Vec2(velocity_mps.head<2>() / both);
+}
+
 double base_power(const EnergyModel& model, const Vec3& velocity_mps) {
-  if (model.multirotor) return multirotor_power(model, velocity_mps);
-  const double level = velocity_mps.head<2>().norm();
-  const double vertical = std::abs(velocity_mps.z());
-  if (level + vertical < kStill_mps) return model.hover_per_s;
-  const double vertical_rate = velocity_mps.z() > 0.0 ? model.climb_per_s : model.descent_per_s;
-  if (vertical == 0.0) return model.level_per_s;
-  return (model.level_per_s * level + vertical_rate * vertical) / (level + vertical);
+  const Correction& found = model.correction;
+  const Vec2 heading = level_heading(velocity_mps);
+  return plain_power(model, velocity_mps) *
+         (found.all + found.along.dot(heading) + found.upright * (1.0 - heading.norm()));
 }
 
 double greatest_level_power(const EnergyModel& model, double speed_mps) {
-  if (!model.multirotor) return model.level_per_s;
+  const double correction = model.correction.all + model.correction.along.norm();
+  if (!model.multirotor) return correction * model.level_per_s;
   // Over the speed through the air the power falls, then rises: the greatest is at one end of its range.
   const double wind = model.wind_mps.norm();
   const Vec2 along = wind > 0.0 ? Vec2(model.wind_mps / wind) : Vec2(Vec2::UnitX());
   const Vec3 with(along.x() * speed_mps, along.y() * speed_mps, 0.0);
-  return std::max(multirotor_power(model, with), multirotor_power(model, -with));
+  return correction * std::max(multirotor_power(model, with), multirotor_power(model, -with));
 }
 
 EnergyModel greatest_rates(const EnergyModel& model, const planner::VehicleLimits& limits, double top_m) {
@@ -99,6 +112,7 @@ EnergyModel still_air_rates(const EnergyModel& model, const planner::VehicleLimi
   out.landed_per_s = model.landed_per_s;
   EnergyModel still = model;
   still.wind_mps = Vec2::Zero();
+  still.correction = {};
   out.level_per_s = base_power(still, Vec3(limits.cruise_speed_mps, 0.0, 0.0));
   out.climb_per_s = base_power(still, Vec3(0.0, 0.0, limits.climb_speed_mps));
   out.descent_per_s = base_power(still, Vec3(0.0, 0.0, -limits.descent_speed_mps));

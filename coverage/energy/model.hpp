@@ -9,6 +9,14 @@
 
 namespace swallowtail::coverage {
 
+/// By what flying was found to take more than the model says: level flight takes (all + along · heading)
+/// times as much, flight straight up or down and hovering (all + upright) times.
+struct Correction {
+  double all = 1.0;
+  Vec2 along = Vec2::Zero();
+  double upright = 0.0;
+};
+
 /// What flying takes, in the battery's unit. The default is the document's: one unit per unit of flying time,
 /// nothing on the ground [COV 3].
 struct EnergyModel {
@@ -25,6 +33,7 @@ struct EnergyModel {
   double unit_j = 3600.0;                  ///< joules in a unit, for the multirotor: by default it is a Wh
   Vec2 wind_mps = Vec2::Zero();  ///< where it blows to; the multirotor flies at its speed over ground
                                  ///< all the same, and its power is that of the speed through the air
+  Correction correction{};       ///< learnt in flight
 };
 
 /// Errors name the value and the rule: rates positive in level flight and climb, none negative; a multirotor
@@ -36,6 +45,9 @@ double altitude_factor(const EnergyModel& model, double altitude_m);
 /// Its mean on the way from one altitude to another, exact.
 double mean_altitude_factor(const EnergyModel& model, double from_m, double to_m);
 
+/// East and north of where a flight goes, as far as it is level: of length 1 when it is, 0 when it goes
+/// straight up or down or hovers, and between in the shares of the two speeds.
+Vec2 level_heading(const Vec3& velocity_mps);
 /// Units per second aloft at a velocity over ground, where the altitude factor is 1. Rates of a flight that
 /// is neither level nor vertical are mixed in the shares of the two speeds.
 double base_power(const EnergyModel& model, const Vec3& velocity_mps);
