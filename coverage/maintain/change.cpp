@@ -104,7 +104,7 @@ Status PlanKeeper::change_task(Task task) {
 
 Status PlanKeeper::take_cells(const std::vector<SubCell>& cells) {
   const std::string reason = "the fields were changed (task revision " + std::to_string(task_.revision) + ")";
-  const std::size_t committed = committed_legs();
+  const std::size_t committed = this->committed().legs;
   const std::vector<Leg> flown = flown_legs(committed);
   plan_.legs.resize(std::min(plan_.legs.size(), plan_.legs_done + committed));
   if (committed == 0) track_.reset();

@@ -42,10 +42,16 @@ PlanKeeper::PlanKeeper(Task task, planner::Terrain terrain, const KeeperParams& 
   plan_.battery_energy = task_.battery.capacity;
 }
 
+EnergyModel PlanKeeper::energy_model() const {
+  EnergyModel out = task_.battery.model;
+  out.correction = consumption_.correction();
+  return out;
+}
+
 /// To keep at a landing besides the reserve. Consumption above what was allowed for comes from wind or a bad
 /// model, and differs from flight to flight: then it is more.
 double PlanKeeper::landing_spare() const {
-  const bool unsteady = bias_ > 1.0 + params_.planning.energy_margin;
+  const bool unsteady = consumption_.correction().all > 1.0 + params_.planning.energy_margin;
   return (unsteady ? 3.0 : 1.0) * kLandingSpareShare * task_.battery.capacity;
 }
 
@@ -66,66 +72,85 @@ bool PlanKeeper::covers(std::size_t leg) const {
   return line.on_line(vehicle_->position_m) && along > 0.1;
 }
 
-/// How many legs ahead the aircraft begins before a change can reach it. They must stay as they are, in their
-/// order: it flies them by the plan before, and counts them as done by their index.
-std::size_t PlanKeeper::committed_legs() const {
-  if (!vehicle_ || vehicle_->on_ground()) return 0;
+/// Legs that the aircraft begins before a change can reach it must stay as they are, in their order: it flies
+/// them by the plan before, and counts them as done by their index.
+PlanKeeper::Commitment PlanKeeper::committed() const {
+  Commitment out;
+  if (!vehicle_ || vehicle_->on_ground()) return out;
   const FlightModel flight = model();
-  std::size_t count = covers(plan_.legs_done) ? 1 : 0;
+  const double speed = task_.vehicle.cruise_speed_mps;
   double time_s = 0.0;
   Vec3 at = vehicle_->position_m;
   std::optional<Vec3> direction;
   if (vehicle_->velocity_mps.head<2>().norm() > 0.5) direction = vehicle_->velocity_mps;
-  if (count == 1) {
+  if (covers(plan_.legs_done)) {
     const Leg& current = plan_.legs[plan_.legs_done];
+    out = {1, (at - current.entry_m).norm() + speed * params_.reaction_s};
     time_s = flight.level(at, current.exit_m).time_s;
     at = current.exit_m;
     direction = current.exit_m - current.entry_m;
   }
-  for (std::size_t i = plan_.legs_done + count; i < plan_.legs.size(); ++i) {
+  for (std::size_t i = plan_.legs_done + out.legs; i < plan_.legs.size(); ++i) {
     if (i > plan_.legs_done && plan_.legs[i - 1].transfer != Transfer::kFF) break;
     const Leg& leg = plan_.legs[i];
     time_s += flight.transfer(at, leg.entry_m, {direction, leg.exit_m - leg.entry_m}).time_s;
     if (time_s > params_.reaction_s) break;
-    ++count;
+    out = {out.legs + 1, speed * (params_.reaction_s - time_s)};
     time_s += flight.level(leg.entry_m, leg.exit_m).time_s;
     at = leg.exit_m;
     direction = leg.exit_m - leg.entry_m;
   }
-  return count;
+  return out;
 }
 
 std::optional<FlightCost> PlanKeeper::to_next_landing() const {
   if (!vehicle_ || vehicle_->on_ground()) return std::nullopt;
+  return flight_to(plan_.rendezvous.empty() ? nullptr : &plan_.rendezvous.front(), start_in_air());
+}
+
+/// To the exit of the last of these legs, which are the next to fly.
+FlightCost PlanKeeper::flight_over(std::span<const Leg> legs, const ScheduleStart& start) const {
   const FlightModel flight = model();
-  const std::size_t first = plan_.legs_done;
-  const bool has_meeting = !plan_.rendezvous.empty();
-  const std::size_t last = has_meeting ? plan_.rendezvous.front().id / 2 : plan_.legs.size() - 1;
-  const bool at_entry = has_meeting && plan_.rendezvous.front().id % 2 == 1;
   FlightCost cost;
-  Vec3 at = vehicle_->position_m;
-  std::optional<Vec3> direction;
-  if (vehicle_->velocity_mps.head<2>().norm() > 0.5) direction = vehicle_->velocity_mps;
-  for (std::size_t i = first; i <= last && i < plan_.legs.size(); ++i) {
-    const Leg& leg = plan_.legs[i];
-    if (i == first && covers(i)) {
-      cost += flight.level(at, leg.exit_m);
+  for (std::size_t i = 0; i < legs.size(); ++i) {
+    const Leg& leg = legs[i];
+    if (i > 0) {
+      const Leg& before = legs[i - 1];
+      cost += flight.transfer(before.exit_m, leg.entry_m,
+                              {before.exit_m - before.entry_m, leg.exit_m - leg.entry_m});
+    } else if (start.kind == StartKind::kAir && covers(plan_.legs_done)) {
+      cost += flight.level(start.position_m, leg.exit_m);
+      continue;
     } else {
-      cost += flight.transfer(at, leg.entry_m, {direction, leg.exit_m - leg.entry_m}) +
-              flight.level(leg.entry_m, leg.exit_m);
+      cost += lift_to_first(flight, start, {leg.entry_m, leg.exit_m});
     }
-    at = leg.exit_m;
-    direction = leg.exit_m - leg.entry_m;
+    cost += flight.level(leg.entry_m, leg.exit_m);
   }
-  if (at_entry && last + 1 < plan_.legs.size())
-    return cost + flight.transfer_and_land(at, direction, plan_.legs[last + 1].entry_m);
-  return cost + flight.landing(at);
+  return cost;
+}
+
+/// Over the legs ahead to a meeting, or (none) to the end of the plan.
+FlightCost PlanKeeper::flight_to(const Rendezvous* landing, const ScheduleStart& start) const {
+  const FlightModel flight = model();
+  const std::size_t size = plan_.legs.size();
+  const std::size_t past = landing != nullptr ? std::min(size, landing->id / 2 + std::size_t{1}) : size;
+  const bool at_entry = landing != nullptr && landing->id % 2 == 1 && past < size;
+  if (past <= plan_.legs_done) {
+    return at_entry ? flight.transfer_and_land(start.position_m, start.direction, plan_.legs[past].entry_m)
+                    : flight.landing(start.position_m);
+  }
+  const Leg& last = plan_.legs[past - 1];
+  const FlightCost cost =
+      flight_over(std::span(plan_.legs).subspan(plan_.legs_done, past - plan_.legs_done), start);
+  return cost + (at_entry ? flight.transfer_and_land(last.exit_m, last.exit_m - last.entry_m,
+                                                     plan_.legs[past].entry_m)
+                          : flight.landing(last.exit_m));
 }
 
 std::optional<double> PlanKeeper::energy_at_next_landing() const {
   const auto cost = to_next_landing();
   if (!cost) return std::nullopt;
-  return energy_now() - cost->energy * bias_;
+  return energy_now() - cost->energy;
 }
 
 bool PlanKeeper::at_meeting(const Vec3& position_m) const {
@@ -201,6 +226,7 @@ bool PlanKeeper::on_vehicle(const AircraftView& vehicle) {
   if (vehicle_ && vehicle.time_s < vehicle_->time_s) return false;
   const std::optional<AircraftView> before = vehicle_;
   vehicle_ = vehicle;
+  if (before) note_flight(*before, vehicle);
   if (before && before->on_ground() && !vehicle.on_ground()) {
     const bool times_off =
         !plan_.rendezvous.empty() && has_flown_ &&
@@ -212,10 +238,9 @@ bool PlanKeeper::on_vehicle(const AircraftView& vehicle) {
     solved_slack_.reset();
     lands_at_once_ = false;
     told_overdue_ = false;
+    told_no_plan_ = false;
     told_short_ = false;
-    take_off_energy_ = battery_ ? battery_->energy : -1.0;
     follow_progress(vehicle);
-    if (const auto cost = to_next_landing()) take_off_cost_ = *cost;
     if (times_off) {
       shift_times(plan_, plan_.legs_done, late);
       note_revision("times: the take-off was " + std::to_string(std::lround(late)) + " s late");
@@ -225,7 +250,6 @@ bool PlanKeeper::on_vehicle(const AircraftView& vehicle) {
   }
   if (before && !before->on_ground() && vehicle.on_ground()) {
     landed_since_s_ = vehicle.time_s;
-    bias_is_due_ = true;
   }
   follow_progress(vehicle);
   if (!vehicle.on_ground()) return tell_given_up(review_gaps());
@@ -258,7 +282,7 @@ bool PlanKeeper::tell_given_up(bool changed) {
 
 bool PlanKeeper::on_battery(const BatteryView& battery) {
   if (battery_ && battery.time_s < battery_->time_s) return false;
-  if (battery_) forget_loss(*battery_, battery);
+  if (battery_) learn_consumption(*battery_, battery);
   battery_ = battery;
   // An aged battery holds less than the task says; one that holds more is not trusted.
   if (battery.capacity > task_.battery.reserve)

@@ -5,9 +5,11 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "coverage/energy/consumption.hpp"
 #include "coverage/maintain/live_plan.hpp"
 #include "coverage/maintain/rest.hpp"
 #include "coverage/maintain/strip_track.hpp"
@@ -94,11 +96,19 @@ class PlanKeeper {
  private:
   PlanKeeper(Task task, planner::Terrain terrain, const KeeperParams& params, LivePlan plan,
              std::vector<FieldReport> fields, std::shared_ptr<const Ways> ways);
-  FlightModel model() const { return {task_.vehicle, task_.battery.model, terrain_, ways_.get()}; }
+  EnergyModel energy_model() const;
+  FlightModel model() const { return {task_.vehicle, energy_model(), terrain_, ways_.get()}; }
   double energy_now() const;
   bool covers(std::size_t leg) const;
-  std::size_t committed_legs() const;
+  /// What is flown before a change can reach the aircraft.
+  struct Commitment {
+    std::size_t legs = 0;      ///< begun by then
+    double into_last_m = 0.0;  ///< of the last of them, from its entry, or beyond its exit
+  };
+  Commitment committed() const;
   std::optional<FlightCost> to_next_landing() const;
+  FlightCost flight_over(std::span<const Leg> legs, const ScheduleStart& start) const;
+  FlightCost flight_to(const Rendezvous* landing, const ScheduleStart& start) const;
   RestParams rest_params() const;
   double landing_spare() const;
 
@@ -108,23 +118,30 @@ class PlanKeeper {
   void pass_meeting(const Vec3& from_m);
   bool may_retry();
   bool review_flight();
-  void forget_loss(const BatteryView& before, const BatteryView& now);
-  std::optional<double> ratio_aloft(const FlightCost& left) const;
+  void note_flight(const AircraftView& before, const AircraftView& now);
+  void learn_consumption(const BatteryView& before, const BatteryView& now);
+  bool is_last_chance(const FlightCost& to_landing) const;
   bool review_wait();
   bool review_ground();
+  bool tell_no_plan();
   bool review_gaps();
   bool solve_in_flight(const std::string& reason);
   bool solve_on_ground(const std::string& reason);
   bool solve_docked(const std::string& reason);
   bool top_up_charge();
-  bool land_at_once(std::vector<Leg> rest, const Vec3& at_m, const std::string& reason);
+  bool come_down(const std::string& reason);
+  std::size_t split_ahead(Rest& rest, const Commitment& begun);
+  void land_at_once(std::vector<Leg> legs, std::size_t before_landing, const std::string& reason);
+  void keep_track_of_leg(const Vec3& entry_m, bool covering);
   double robot_arrives_s(const Vec3& site_m) const;
+  Rendezvous meeting_at(const ScheduleStart& docked, double land_s, const Recharge& charge) const;
   Leg point_leg(const Vec3& at_m);
   Vec3 point_ahead() const;
   void adopt(RestPlan rest, const std::string& reason);
   void note_revision(const std::string& reason);
   ScheduleStart start_in_air() const;
   std::vector<Leg> unflown_legs(std::size_t committed = 0);
+  std::vector<Leg> cut_to_battery(std::vector<Leg> legs, std::size_t from);
   std::vector<Leg> unseen_parts(const SubCell& cell, const std::vector<Leg>& flown);
   std::vector<Leg> flown_legs(std::size_t committed) const;
   Status take_cells(const std::vector<SubCell>& cells);
@@ -150,13 +167,13 @@ class PlanKeeper {
   double landed_since_s_ = 0.0;
   bool told_short_ = false;    ///< in this flight
   bool told_overdue_ = false;  ///< in this stay on the ground
+  bool told_no_plan_ = false;  ///< in this stay on the ground
+  std::string no_plan_;        ///< why the last solution failed
   double last_shift_s_ = -1e9;
   double retry_s_ = -1e9;  ///< a solution that failed is not tried again before
   bool has_flown_ = false;
-  double take_off_energy_ = -1.0;
-  FlightCost take_off_cost_;
-  double bias_ = 1.0;  ///< consumption against prediction, as flown
-  bool bias_is_due_ = false;
+  Consumption consumption_;
+  bool all_aloft_ = false;              ///< since the last battery sample
   bool lands_at_once_ = false;          ///< until it has landed nothing else is decided
   std::optional<double> solved_slack_;  ///< energy to spare at the next landing when last solved for it
 };

@@ -10,20 +10,21 @@ namespace {
 
 /// A robot that stands still for a reason unknown is taken to do so for a while yet.
 constexpr double kDelay_s = 30.0;
-constexpr double kBiasAllowance = 0.04;
+/// What flights differ by once consumption is known.
+constexpr double kKnownAllowance = 0.05;
 /// Of a flight under way less can still go wrong.
 constexpr double kAloftAllowance = 0.02;
 constexpr double kAboveGround_m = 1.0;
-
-double flat_distance(const Vec3& a, const Vec3& b) { return (a - b).head<2>().norm(); }
+/// Of what a flight may take: where climbing and coming down take more, cutting strips does not help.
+constexpr double kMostEndsShare = 0.9;
 
 }  // namespace
 
 RestParams PlanKeeper::rest_params() const {
   RestParams out;
   out.stops = stop_params(task_, params_.planning);
-  out.stops.energy_factor = std::max(out.stops.energy_factor, bias_ + kBiasAllowance);
-  out.stops.air_factor = bias_ + kAloftAllowance;
+  if (has_flown_) out.stops.energy_factor = std::min(out.stops.energy_factor, 1.0 + kKnownAllowance);
+  out.stops.air_factor = 1.0 + kAloftAllowance;
   out.stops.spare += landing_spare();
   out.schedules = params_.resolve_schedules;
   if (params_.planning.clock != nullptr) {
@@ -69,6 +70,30 @@ std::vector<Leg> PlanKeeper::unflown_legs(std::size_t committed) {
       out.front().entry_m += (out.front().exit_m - out.front().entry_m) * ((flown - 0.5) / length);
   }
   out.insert(out.end(), gaps_.begin(), gaps_.end());
+  return cut_to_battery(std::move(out), committed);
+}
+
+/// A leg that no flight can cover becomes several: an aged battery or a strong wind may have made it too
+/// long.
+std::vector<Leg> PlanKeeper::cut_to_battery(std::vector<Leg> legs, std::size_t from) {
+  const FlightModel flight = model();
+  const StopParams stops = rest_params().stops;
+  const double room = (task_.battery.capacity - task_.battery.reserve - stops.spare) / stops.energy_factor;
+  std::vector<Leg> out;
+  for (std::size_t i = 0; i < legs.size(); ++i) {
+    const Leg& leg = legs[i];
+    const double ends = flight.take_off(leg.entry_m).energy + flight.landing(leg.exit_m).energy;
+    const double cover = flight.level(leg.entry_m, leg.exit_m).energy;
+    const bool fits = i < from || ends + cover <= room || ends >= kMostEndsShare * room;
+    const int parts = fits ? 1 : static_cast<int>(std::ceil(cover / (room - ends)));
+    for (int part = 0; part < parts; ++part) {
+      Leg piece = leg;
+      if (part > 0) piece.sub_cell_id = next_id_++;
+      piece.entry_m = leg.entry_m + (leg.exit_m - leg.entry_m) * (static_cast<double>(part) / parts);
+      piece.exit_m = leg.entry_m + (leg.exit_m - leg.entry_m) * (static_cast<double>(part + 1) / parts);
+      out.push_back(piece);
+    }
+  }
   return out;
 }
 
@@ -117,92 +142,44 @@ void PlanKeeper::adopt(RestPlan rest, const std::string& reason) {
 bool PlanKeeper::solve_in_flight(const std::string& reason) {
   const std::size_t now = plan_.legs_done;
   const bool covering = covers(now);
-  const std::size_t committed = committed_legs();
-  Rest whole{unflown_legs(committed), committed};
+  const Commitment begun = committed();
+  Rest whole{unflown_legs(begun.legs), begun.legs};
   if (whole.legs.empty()) return false;
   const ScheduleStart start = start_in_air();
   RestParams params = rest_params();
   // Landing early costs little, landing late the reserve.
   params.stops.battery.reserve += landing_spare();
-  const Leg current = covering ? plan_.legs[now] : Leg{};
+  const Vec3 entry_m = whole.legs.front().entry_m;
   if (covering) whole.legs.front().entry_m = start.position_m;
   // First: what is under way is finished, then it lands where it does best.
   std::optional<RestPlan> found = plan_rest(whole, start, now, model(), params);
   if (!found) {
     // Else it may land a little ahead of here, and come back.
-    Rest split = whole;
-    const Vec3 ahead = point_ahead();
-    const double left = (current.exit_m - start.position_m).norm();
-    const double step = flat_distance(ahead, start.position_m);
-    if (covering && step < left - 1.0) {
-      const Vec3 cut = start.position_m + (current.exit_m - start.position_m) * (step / left);
-      Leg rest = split.legs.front();
-      rest.sub_cell_id = next_id_++;
-      rest.entry_m = cut;
-      split.legs.front().exit_m = cut;
-      split.legs.insert(split.legs.begin() + 1, rest);
-      split.fixed = 1;
-    } else if (committed == 0) {
-      split.legs.insert(split.legs.begin(), point_leg(ahead));
-      split.fixed = 1;
-    }
-    found = plan_rest(split, start, now, model(), params);
+    const std::size_t before_landing = split_ahead(whole, begun);
+    found = plan_rest(whole, start, now, model(), params);
     if (!found) {
-      if (covering) split.legs.front().entry_m = start.position_m;
-      const bool done = land_at_once(split.legs, split.legs.front().exit_m, reason);
-      if (done && covering) plan_.legs[now].entry_m = current.entry_m;
-      if (done && covering && track_) track_->end_at(plan_.legs[now].exit_m);
-      return done;
+      land_at_once(whole.legs, before_landing, reason);
+      keep_track_of_leg(entry_m, covering);
+      return true;
     }
   }
   adopt(std::move(*found), reason);
-  // The leg under way began where it began; its index stays.
-  if (covering) plan_.legs[now].entry_m = current.entry_m;
-  if (!covering) track_.reset();
-  if (covering && track_) track_->end_at(plan_.legs[now].exit_m);
+  keep_track_of_leg(entry_m, covering);
   return true;
 }
 
-/// Nothing keeps the reserve any more: down at the end of the first leg given, wait for the robot, and go on
-/// from there.
-bool PlanKeeper::land_at_once(std::vector<Leg> legs, const Vec3& at_m, const std::string& reason) {
-  const FlightModel flight = model();
-  const FlightCost down = flight.level(vehicle_->position_m, at_m) + flight.landing(at_m);
-  const double down_s = vehicle_->time_s + down.time_s;
-  Leg first = legs.front();
-  legs.erase(legs.begin());
-  first.transfer = legs.empty() ? Transfer::kEnd : Transfer::kFDUF;
-  first.start_s = vehicle_->time_s;
-  first.end_s = down_s;
-  first.energy_before = energy_now();
-  first.energy_after = std::max(0.0, first.energy_before - down.energy);
-  RestPlan rest;
-  if (!legs.empty()) {
-    ScheduleStart start;
-    start.kind = StartKind::kDocked;
-    start.position_m = flight.ground(at_m);
-    start.time_s = std::max(down_s, robot_arrives_s(at_m)) + task_.charger.landing_s;
-    if (!std::isfinite(start.time_s)) return false;
-    start.energy = first.energy_after;
-    auto later = plan_rest({std::move(legs), 0}, start, plan_.legs_done + 1, flight, rest_params());
-    if (!later) return false;
-    rest = std::move(*later);
-    Rendezvous meeting;
-    meeting.id = static_cast<std::uint32_t>(2 * plan_.legs_done);
-    meeting.site_m = start.position_m;
-    meeting.robot_arrives_s = start.time_s - task_.charger.landing_s;
-    meeting.land_s = down_s;
-    meeting.arrive_by_s = down_s;
-    meeting.energy_from = start.energy;
-    meeting.charge_to = rest.first->energy_to;
-    meeting.depart_s = rest.first->ready_s + params_.planning.lead_s;
-    meeting.wait_s = std::max(0.0, meeting.robot_arrives_s - down_s);
-    rest.rendezvous.insert(rest.rendezvous.begin(), meeting);
-  }
-  rest.legs.insert(rest.legs.begin(), first);
-  adopt(std::move(rest), reason + "; lands at once");
-  lands_at_once_ = true;
-  return true;
+/// Where the aircraft lands at a time and a schedule begins with it on the robot.
+Rendezvous PlanKeeper::meeting_at(const ScheduleStart& docked, double land_s, const Recharge& charge) const {
+  Rendezvous out;
+  out.site_m = docked.position_m;
+  out.robot_arrives_s = docked.time_s - task_.charger.landing_s;
+  out.land_s = land_s;
+  out.arrive_by_s = land_s;
+  out.depart_s = charge.ready_s + params_.planning.lead_s;
+  out.energy_from = docked.energy;
+  out.charge_to = charge.energy_to;
+  out.wait_s = std::max(0.0, out.robot_arrives_s - land_s);
+  return out;
 }
 
 /// Landed where no meeting was planned: the robot comes here first.
@@ -225,23 +202,18 @@ bool PlanKeeper::solve_on_ground(const std::string& reason) {
   }
   start.kind = StartKind::kDocked;
   const double arrives = std::max(vehicle_->time_s, robot_arrives_s(site));
+  no_plan_ = "the robot has no way to where the aircraft landed";
   if (!std::isfinite(arrives)) return false;
   start.time_s = arrives + task_.charger.landing_s;
   Vec3 above = site;
   above.z() = std::max(legs.front().entry_m.z(), site.z() + task_.vehicle.clearance_m() + kAboveGround_m);
   legs.insert(legs.begin(), point_leg(above));
+  no_plan_ = why_no_rest(legs, flight, rest_params().stops);
   auto found = plan_rest({std::move(legs), 1}, start, plan_.legs_done, flight, rest_params());
   if (!found) return false;
-  Rendezvous meeting;
+  no_plan_.clear();
+  Rendezvous meeting = meeting_at(start, vehicle_->time_s, *found->first);
   meeting.id = static_cast<std::uint32_t>(2 * plan_.legs_done);
-  meeting.site_m = site;
-  meeting.robot_arrives_s = arrives;
-  meeting.land_s = vehicle_->time_s;
-  meeting.arrive_by_s = vehicle_->time_s;
-  meeting.depart_s = found->first->ready_s + params_.planning.lead_s;
-  meeting.energy_from = start.energy;
-  meeting.charge_to = found->first->energy_to;
-  meeting.wait_s = arrives - vehicle_->time_s;
   // It has only just taken off there: landing at the same spot again would share the meeting's number.
   std::erase_if(found->rendezvous, [&](const Rendezvous& r) { return r.id <= meeting.id; });
   found->rendezvous.insert(found->rendezvous.begin(), meeting);
@@ -303,26 +275,25 @@ void PlanKeeper::start_over_after(const AircraftView& vehicle) {
 bool PlanKeeper::top_up_charge() {
   if (plan_.rendezvous.empty()) return false;
   if (!gaps_.empty()) return may_retry() && solve_docked("a stretch was left out");
-  if (bias_ + kBiasAllowance <= 1.0 + params_.planning.energy_margin) return false;
+  if (plan_.legs_done >= plan_.legs.size()) return false;
   Rendezvous& meeting = plan_.rendezvous.front();
-  const bool has_next = plan_.rendezvous.size() > 1;
-  if (!has_next && plan_.legs.empty()) return false;
-  const double lands_with =
-      has_next ? plan_.rendezvous[1].energy_from
-               : plan_.legs.back().energy_after - model().landing(plan_.legs.back().exit_m).energy;
-  // The sortie's consumption stays as predicted: both its ends are raised together.
+  Rendezvous* next = plan_.rendezvous.size() > 1 ? &plan_.rendezvous[1] : nullptr;
+  ScheduleStart start;
+  start.position_m = meeting.carry ? meeting.carry_to_m : meeting.site_m;
+  const StopParams stops = rest_params().stops;
   const double needs =
-      task_.battery.reserve + landing_spare() + (meeting.charge_to - lands_with) * (bias_ + kBiasAllowance);
+      task_.battery.reserve + stops.spare + flight_to(next, start).energy * stops.energy_factor;
   if (needs <= meeting.charge_to + 1.0) return false;
   if (needs > task_.battery.capacity)
     return may_retry() && solve_docked("consumption is higher than predicted");
+  // The sortie's consumption stays as predicted: both its ends are raised together.
   const double more = needs - meeting.charge_to;
-  const std::size_t past = has_next ? plan_.rendezvous[1].id / 2 + 1 : plan_.legs.size();
+  const std::size_t past = next != nullptr ? next->id / 2 + std::size_t{1} : plan_.legs.size();
   for (std::size_t i = plan_.legs_done; i < past && i < plan_.legs.size(); ++i) {
     plan_.legs[i].energy_before += more;
     plan_.legs[i].energy_after += more;
   }
-  if (has_next) plan_.rendezvous[1].energy_from += more;
+  if (next != nullptr) next->energy_from += more;
   meeting.charge_to = needs;
   note_revision("charges more: consumption is higher than predicted");
   return true;

@@ -1,5 +1,6 @@
 #include "coverage/maintain/rest.hpp"
 
+#include <cmath>
 #include <limits>
 
 #include "coverage/schedule/expand.hpp"
@@ -47,6 +48,27 @@ std::optional<RestPlan> plan_rest(const Rest& rest, const ScheduleStart& start, 
   out.first = schedule->first;
   out.end_s = schedule->end_s;
   return out;
+}
+
+std::string why_no_rest(std::span<const Leg> legs, const FlightModel& model, const StopParams& stops) {
+  const Battery& battery = stops.battery;
+  const double room = battery.capacity - battery.reserve - stops.spare;
+  for (const Leg& leg : legs) {
+    const FlightCost flight =
+        model.take_off(leg.entry_m) + model.level(leg.entry_m, leg.exit_m) + model.landing(leg.exit_m);
+    const double needs = flight.energy * stops.energy_factor;
+    if (needs > room) {
+      return "sub-cell " + std::to_string(leg.sub_cell_id) + " takes energy " +
+             std::to_string(std::lround(std::ceil(needs))) + ", and the battery has " +
+             std::to_string(std::lround(std::floor(room))) + " to use";
+    }
+  }
+  for (const Leg& leg : legs) {
+    if (!std::isfinite(drive_s(stops.charger, stops.charger.start_m, leg.exit_m)) &&
+        !std::isfinite(drive_s(stops.charger, stops.charger.start_m, leg.entry_m)))
+      return "the robot has no way to sub-cell " + std::to_string(leg.sub_cell_id);
+  }
+  return "the energy of a full battery does not reach from one place that the robot can get to to the next";
 }
 
 }  // namespace swallowtail::coverage

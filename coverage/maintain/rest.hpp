@@ -1,6 +1,8 @@
 #pragma once
 
 #include <optional>
+#include <span>
+#include <string>
 #include <vector>
 
 #include "coverage/maintain/live_plan.hpp"
@@ -34,5 +36,8 @@ struct RestPlan {
 /// when even that cannot be flown with the reserve kept.
 std::optional<RestPlan> plan_rest(const Rest& rest, const ScheduleStart& start, std::size_t first_index,
                                   const FlightModel& model, const RestParams& params);
+
+/// Of legs that cannot all be flown with the robot's help, what hinders it.
+std::string why_no_rest(std::span<const Leg> legs, const FlightModel& model, const StopParams& stops);
 
 }  // namespace swallowtail::coverage

@@ -12,31 +12,54 @@ constexpr double kRetryEvery_s = 5.0;
 constexpr double kWorseShare =
     0.01;  ///< of the capacity: a slack that fell by less since the last solution is no news
 constexpr std::size_t kLastLegs = 2;
-constexpr double kLeastShare =
-    0.25;  ///< of the capacity that a flight must take before consumption is learnt from it
-constexpr double kLeastShareAloft = 0.1;  ///< the same in flight, when the energy is known not to do
-constexpr double kBiasStep =
-    0.02;  ///< by which consumption is taken to be higher when there is too little to learn from
-constexpr double kMostBias = 2.0;
-constexpr double kLossShare = 0.01;  ///< of the capacity: between two samples a larger surplus is a loss
+constexpr double kMostConsumption = 2.0;  ///< against what is expected
+constexpr double kLossShare = 0.01;       ///< of the capacity: between two samples a larger surplus is a loss
+constexpr double kDeviations = 2.0;       ///< of a descent's energy, that are left for it
+constexpr double kSampleEvery_s = 1.0;    ///< how long until the next battery state, as a rule
 
 }  // namespace
 
-/// Energy that is gone at once is no consumption: nothing is learnt from it.
-void PlanKeeper::forget_loss(const BatteryView& before, const BatteryView& now) {
-  if (!vehicle_ || vehicle_->on_ground() || take_off_energy_ <= 0.0) return;
-  const double predicted =
-      (now.time_s - before.time_s) * model().power(vehicle_->velocity_mps, vehicle_->position_m.z());
-  const double drop = before.energy - now.energy;
-  if (drop > predicted * kMostBias + kLossShare * task_.battery.capacity)
-    take_off_energy_ -= drop - predicted * bias_;
+void PlanKeeper::note_flight(const AircraftView& before, const AircraftView& now) {
+  const double duration_s = now.time_s - before.time_s;
+  if (before.on_ground() || now.on_ground()) {
+    all_aloft_ = false;
+    return consumption_.forget();
+  }
+  if (!(duration_s > 0.0)) return;
+  consumption_.fly(task_.battery.model, (now.position_m - before.position_m) / duration_s,
+                   0.5 * (before.position_m.z() + now.position_m.z()), duration_s);
 }
 
-/// Consumption so far against what was predicted for the way so far; nothing before there is enough of it.
-std::optional<double> PlanKeeper::ratio_aloft(const FlightCost& left) const {
-  const double predicted = take_off_cost_.energy - left.energy;
-  if (take_off_energy_ <= 0.0 || predicted < kLeastShareAloft * task_.battery.capacity) return std::nullopt;
-  return std::clamp((take_off_energy_ - energy_now()) / predicted, 1.0, kMostBias);
+/// Energy that is gone at once is no consumption: nothing is learnt from it.
+void PlanKeeper::learn_consumption(const BatteryView& before, const BatteryView& now) {
+  if (!vehicle_ || vehicle_->on_ground()) return;
+  // The two states seldom come from the same instant.
+  const double ahead_s = now.time_s - vehicle_->time_s;
+  const auto fly = [&](double duration_s) {
+    consumption_.fly(task_.battery.model, vehicle_->velocity_mps, vehicle_->position_m.z(), duration_s);
+  };
+  fly(ahead_s);
+  const double drop = before.energy - now.energy;
+  const bool lost = drop > consumption_.expected() * kMostConsumption + kLossShare * task_.battery.capacity;
+  if (all_aloft_ && !lost && drop >= 0.0) {
+    consumption_.learn(drop);
+  } else {
+    consumption_.forget();
+  }
+  fly(-ahead_s);
+  all_aloft_ = true;
+}
+
+/// Whether coming down must begin now: later the reserve might not last, and the planned landing takes more.
+bool PlanKeeper::is_last_chance(const FlightCost& to_landing) const {
+  const FlightModel flight = model();
+  const Vec3 ahead = point_ahead();
+  const FlightCost down = flight.landing(ahead);
+  const FlightCost there = flight.level(vehicle_->position_m, ahead);
+  const double wait = kSampleEvery_s * flight.power(vehicle_->velocity_mps, vehicle_->position_m.z());
+  const double deviation = kDeviations * consumption_.upright_deviation(down);
+  if (energy_now() - there.energy - down.energy - deviation - wait >= task_.battery.reserve) return false;
+  return to_landing.energy > there.energy + down.energy + kWorseShare * task_.battery.capacity;
 }
 
 /// In flight: does the energy reach the next landing?
@@ -51,23 +74,18 @@ bool PlanKeeper::review_flight() {
   }
   const auto cost = to_next_landing();
   if (!cost) return false;
-  double slack = energy_now() - cost->energy * bias_ - task_.battery.reserve;
-  // As consumption has been since the take-off, or as it is known to be with something to spare.
-  const std::optional<double> ratio = ratio_aloft(*cost);
-  const bool holds =
-      !ratio || energy_now() - cost->energy * *ratio >= task_.battery.reserve + landing_spare();
-  if (holds && slack >= cost->energy * params_.trigger_margin + landing_spare()) return false;
-  bias_ = ratio ? std::max(bias_, *ratio) : std::min(bias_ + kBiasStep, kMostBias);
-  slack = energy_now() - cost->energy * bias_ - task_.battery.reserve;
-  if (solved_slack_ && slack >= *solved_slack_ - kWorseShare * task_.battery.capacity) return false;
-  const bool changed = solve_in_flight("energy " + std::to_string(std::lround(energy_now())) +
-                                       " does not reach the next landing");
+  const double slack = energy_now() - cost->energy - task_.battery.reserve;
+  const bool holds = slack >= cost->energy * params_.trigger_margin + landing_spare();
+  const bool last_chance = is_last_chance(*cost);
+  if (holds && !last_chance) return false;
+  const bool is_news = !solved_slack_ || slack < *solved_slack_ - kWorseShare * task_.battery.capacity;
+  if (!is_news && !last_chance) return false;
+  const std::string reason =
+      "energy " + std::to_string(std::lround(energy_now())) +
+      (last_chance ? " is just enough to come down" : " does not reach the next landing");
+  const bool changed = last_chance ? come_down(reason) : solve_in_flight(reason);
   const auto after = to_next_landing();
-  if (changed && after) {
-    take_off_energy_ = energy_now();
-    take_off_cost_ = *after;
-  }
-  solved_slack_ = after ? energy_now() - after->energy * bias_ - task_.battery.reserve : slack;
+  solved_slack_ = after ? energy_now() - after->energy - task_.battery.reserve : slack;
   return changed;
 }
 
@@ -89,30 +107,36 @@ bool PlanKeeper::review_gaps() {
 }
 
 bool PlanKeeper::review_ground() {
-  if (bias_is_due_ && battery_ && battery_->time_s >= landed_since_s_) {
-    bias_is_due_ = false;
-    const double used = take_off_energy_ - battery_->energy;
-    if (take_off_energy_ > 0.0 && take_off_cost_.energy > kLeastShare * task_.battery.capacity) {
-      bias_ = std::clamp(0.5 * (bias_ + used / take_off_cost_.energy), 1.0, kMostBias);
-    }
-    take_off_energy_ = -1.0;
-    if (bias_ < 1.01) {
-      bias_ = 1.0;
-    }
+  if (has_flown_ && !told_short_ && battery_ && battery_->time_s >= landed_since_s_ &&
+      battery_->energy < task_.battery.reserve && vehicle_->mode == AircraftMode::kLanded) {
+    told_short_ = true;
+    note_revision("landed with energy " + std::to_string(std::lround(battery_->energy)) +
+                  ", below the reserve");
+    return true;
   }
   if (!has_flown_) {
     if (!battery_ || battery_->energy >= plan_.battery_energy - kWorseShare * task_.battery.capacity ||
         plan_.legs_done > 0)
       return false;
     if (!may_retry()) return false;
-    return solve_on_ground("the battery is not full at the start");
+    return solve_on_ground("the battery is not full at the start") || tell_no_plan();
   }
   if (vehicle_->mode == AircraftMode::kDocked || at_meeting(vehicle_->position_m)) return top_up_charge();
   if (vehicle_->time_s < landed_since_s_ + kSettled_s) return false;
   if (plan_.legs_done >= plan_.legs.size() && gaps_.empty()) return false;
   if (!may_retry()) return false;
-  return solve_on_ground(plan_.legs_done >= plan_.legs.size() ? "a stretch was left out"
-                                                              : "landed away from the plan's sites");
+  const bool is_end = plan_.legs_done >= plan_.legs.size();
+  return solve_on_ground(is_end ? "a stretch was left out" : "landed away from the plan's sites") ||
+         tell_no_plan();
+}
+
+/// Why what is left cannot be planned, once in this stay on the ground.
+bool PlanKeeper::tell_no_plan() {
+  if (no_plan_.empty() || told_no_plan_) return false;
+  told_no_plan_ = true;
+  plan_.complete = false;
+  note_revision("stays landed: " + no_plan_);
+  return true;
 }
 
 }  // namespace swallowtail::coverage

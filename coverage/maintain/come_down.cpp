@@ -1,0 +1,107 @@
+#include <algorithm>
+#include <cmath>
+
+#include "coverage/maintain/plan_keeper.hpp"
+
+/// How PlanKeeper brings the aircraft down when its energy does for nothing else.
+namespace swallowtail::coverage {
+
+/// Down as soon as it can be, whatever else might be had.
+bool PlanKeeper::come_down(const std::string& reason) {
+  const bool covering = covers(plan_.legs_done);
+  const Commitment begun = committed();
+  Rest rest{unflown_legs(begun.legs), begun.legs};
+  if (rest.legs.empty()) return false;
+  const Vec3 entry_m = rest.legs.front().entry_m;
+  if (covering) rest.legs.front().entry_m = vehicle_->position_m;
+  const std::size_t before_landing = split_ahead(rest, begun);
+  land_at_once(rest.legs, before_landing, reason);
+  keep_track_of_leg(entry_m, covering);
+  return true;
+}
+
+/// Ends a leg where the aircraft is when a change reaches it, or puts a point there to fly to. Returns how
+/// many legs it flies before it can land there.
+std::size_t PlanKeeper::split_ahead(Rest& rest, const Commitment& begun) {
+  if (begun.legs == 0) {
+    rest.legs.insert(rest.legs.begin(), point_leg(point_ahead()));
+    return rest.fixed = 1;
+  }
+  Leg& last = rest.legs[begun.legs - 1];
+  const Leg& planned = plan_.legs[plan_.legs_done + begun.legs - 1];
+  const double length = (planned.exit_m - planned.entry_m).norm();
+  if (begun.into_last_m < length - 1.0) {
+    Leg after = last;
+    after.sub_cell_id = next_id_++;
+    after.entry_m = planned.entry_m + (planned.exit_m - planned.entry_m) * (begun.into_last_m / length);
+    last.exit_m = after.entry_m;
+    rest.legs.insert(rest.legs.begin() + static_cast<std::ptrdiff_t>(begun.legs), after);
+  }
+  return rest.fixed = begun.legs;
+}
+
+/// The leg under way began where it began; its index stays.
+void PlanKeeper::keep_track_of_leg(const Vec3& entry_m, bool covering) {
+  if (!covering) return track_.reset();
+  plan_.legs[plan_.legs_done].entry_m = entry_m;
+  if (track_) track_->end_at(plan_.legs[plan_.legs_done].exit_m);
+}
+
+/// Nothing keeps the reserve any more: down after so many of the legs, wait for the robot, and go on from
+/// there. What cannot be planned from there is kept for when it has landed.
+void PlanKeeper::land_at_once(std::vector<Leg> legs, std::size_t before_landing, const std::string& reason) {
+  const FlightModel flight = model();
+  const ScheduleStart air = start_in_air();
+  RestPlan rest;
+  FlightCost down;
+  for (std::size_t i = 0; i < before_landing; ++i) {
+    Leg leg = legs[i];
+    leg.start_s = air.time_s + down.time_s;
+    leg.energy_before = std::max(0.0, air.energy - down.energy);
+    down = flight_over(std::span(legs).first(i + 1), air);
+    leg.end_s = air.time_s + down.time_s;
+    leg.energy_after = std::max(0.0, air.energy - down.energy);
+    leg.transfer = i + 1 < before_landing ? Transfer::kFF
+                   : legs.size() > i + 1  ? Transfer::kFDUF
+                                          : Transfer::kEnd;
+    leg.transfer_m.clear();
+    rest.legs.push_back(leg);
+  }
+  // Under way to that leg already, it keeps to the bends of its way.
+  const std::vector<Vec3>& bends =
+      plan_.legs_done == 0 ? plan_.approach_m : plan_.legs[plan_.legs_done - 1].transfer_m;
+  const bool goes_on = plan_.legs_done < plan_.legs.size() &&
+                       rest.legs.front().sub_cell_id == plan_.legs[plan_.legs_done].sub_cell_id;
+  if (goes_on) rest.approach_m = bends;
+  const Vec3 at = rest.legs.back().exit_m;
+  down += flight.landing(at);
+  legs.erase(legs.begin(), legs.begin() + static_cast<std::ptrdiff_t>(before_landing));
+  ScheduleStart docked;
+  docked.kind = StartKind::kDocked;
+  docked.position_m = flight.ground(at);
+  docked.energy = std::max(0.0, air.energy - down.energy);
+  const double down_s = air.time_s + down.time_s;
+  const double arrives_s = std::max(down_s, robot_arrives_s(at));
+  docked.time_s = arrives_s + task_.charger.landing_s;
+  rest.end_s = down_s;
+  const std::size_t next = plan_.legs_done + before_landing;
+  std::optional<RestPlan> later;
+  if (!legs.empty() && std::isfinite(arrives_s))
+    later = plan_rest({legs, 0}, docked, next, flight, rest_params());
+  if (later) {
+    Rendezvous meeting = meeting_at(docked, down_s, *later->first);
+    meeting.id = static_cast<std::uint32_t>(2 * (next - 1));
+    rest.legs.insert(rest.legs.end(), later->legs.begin(), later->legs.end());
+    rest.rendezvous = std::move(later->rendezvous);
+    rest.rendezvous.insert(rest.rendezvous.begin(), meeting);
+    rest.end_s = later->end_s;
+    legs.clear();
+  } else {
+    rest.legs.back().transfer = Transfer::kEnd;
+  }
+  adopt(std::move(rest), reason + "; lands at once");
+  gaps_ = std::move(legs);
+  lands_at_once_ = true;
+}
+
+}  // namespace swallowtail::coverage
