@@ -28,7 +28,7 @@ struct Rounds {
   int most;
 };
 constexpr Rounds kRounds{5, 200};
-constexpr Rounds kRoundsAmongHoles{10, 500};
+constexpr Rounds kRoundsAmongHoles{20, 1000};
 /// Pieces of a field beyond which the search would be a drop in the ocean.
 constexpr std::size_t kMostSearched = 1000;
 

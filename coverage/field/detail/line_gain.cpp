@@ -15,6 +15,7 @@ LineInView::LineInView(const Line& line, const Interval& limits, double width_m,
     : limits_(limits) {
   const Band band{line, {limits.from - kInside_m, limits.to + kInside_m}, width_m / 2.0};
   for (const Patch& patch : open) {
+    if (!may_meet(band, patch)) continue;
     const BandPart part = part_in_band(patch, band);
     if (part.area_m2 > 0.0) seen_.push_back({part.extent, part.area_m2});
   }

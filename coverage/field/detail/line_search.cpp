@@ -51,26 +51,13 @@ struct Candidate {
   Line line;
   Interval limits;
   PiecePtr base;
+  double most_m2 = 0.0;  ///< sees no more; without a base
   double noise = 1.0;
 };
 
-/// Whether a band's two directions leave no gap between it and the other.
-bool overlaps_along(const Band& a, const Band& b) {
-  const Vec2 from = b.line.at(b.along.from);
-  const Vec2 to = b.line.at(b.along.to);
-  const double turn = a.line.along.dot(b.line.along);
-  const double across = std::abs(a.line.along.x() * b.line.along.y() - a.line.along.y() * b.line.along.x());
-  const double end = b.half_width_m * across;
-  const double side = b.half_width_m * std::abs(turn);
-  const auto [low, high] = std::minmax({a.line.along_of(from), a.line.along_of(to)});
-  if (high + end < a.along.from || low - end > a.along.to) return false;
-  const auto [right, left] = std::minmax({a.line.left_of(from), a.line.left_of(to)});
-  return left + side > -a.half_width_m && right - side < a.half_width_m;
-}
-
 bool meet(const Piece& a, const Piece& b) {
   return (a.box.lo.array() < b.box.hi.array()).all() && (b.box.lo.array() < a.box.hi.array()).all() &&
-         overlaps_along(a.band, b.band) && overlaps_along(b.band, a.band);
+         may_meet(a.band, b.band);
 }
 
 /// Between two segments, by their ends and middles: near enough to tell neighbours.
@@ -82,6 +69,12 @@ double apart(const Segment& a, const Segment& b) {
   };
   return std::min({to(a, b.from_m), to(a, b.to_m), to(b, a.from_m), to(b, a.to_m)});
 }
+
+/// Where a line runs inside the polygon.
+struct Stretches {
+  Line line;
+  std::vector<Interval> inside;
+};
 
 class LineSearch {
  public:
@@ -106,16 +99,21 @@ class LineSearch {
   bool recover(std::vector<Patch>& open, const std::vector<PiecePtr>& taken, double budget_m, Cover& cover);
   std::vector<Candidate> candidates(const std::vector<Patch>& open, const std::vector<PiecePtr>& taken,
                                     const Cover& cover);
-  void add_line(const Line& line, const std::vector<Patch>& open, std::vector<Candidate>& out);
+  void add_line(const Line& line, const std::vector<Patch>& open, std::vector<Candidate>& out) {
+    add_stretches({line, inside_of(polygon_, line)}, open, out);
+  }
+  /// Those of a line's stretches from which something open may be seen.
+  void add_stretches(const Stretches& stretches, const std::vector<Patch>& open, std::vector<Candidate>& out);
   void add_direction(const Vec2& along, const std::vector<Patch>& open, std::vector<Candidate>& out);
   LineGain gain_of(const Candidate& candidate, const std::vector<Patch>& open) const;
+  double most_rate(const Candidate& candidate, const std::vector<Patch>& open) const;
   void draw_in(Cover& cover, const std::vector<PiecePtr>& around) const;
   void draw_in_one(Cover& cover, std::size_t at) const;
 
   const Polygon& polygon_;
   LineSearchParams params_;
   std::vector<Patch> ground_;
-  std::vector<Line> borders_;  ///< kOffsets of each stretch of border
+  std::vector<Stretches> borders_;  ///< kOffsets of each stretch of border
   Rng rng_;
   Cover now_;
   Cover best_;
@@ -156,7 +154,7 @@ void LineSearch::add_borders(const Ring& ring) {
     const double nearest = std::min(depth.to + kInside_m, farthest);
     for (const double offset : {farthest, (nearest + farthest) / 2.0, nearest}) {
       const Line line{border.origin_m + inwards * offset, border.along};
-      borders_.push_back(line);
+      borders_.push_back({line, inside_of(polygon_, line)});
     }
   }
 }
@@ -187,15 +185,11 @@ std::vector<Patch> LineSearch::seen_alone(const Piece& piece, const std::vector<
   return left;
 }
 
-void LineSearch::add_line(const Line& line, const std::vector<Patch>& open, std::vector<Candidate>& out) {
-  for (const Interval& inside : inside_of(polygon_, line)) {
-    const Band band{line, inside, params_.width_m / 2.0};
-    const bool sees = std::any_of(open.begin(), open.end(), [&](const Patch& patch) {
-      const double at = line.along_of(patch.middle_m);
-      return std::abs(line.left_of(patch.middle_m)) < band.half_width_m + patch.radius_m &&
-             at + patch.radius_m > inside.from && at - patch.radius_m < inside.to;
-    });
-    if (sees) out.push_back({line, inside, nullptr});
+void LineSearch::add_stretches(const Stretches& stretches, const std::vector<Patch>& open,
+                               std::vector<Candidate>& out) {
+  for (const Interval& inside : stretches.inside) {
+    const double most_m2 = area_near({stretches.line, inside, params_.width_m / 2.0}, open);
+    if (most_m2 > 0.0) out.push_back({stretches.line, inside, nullptr, most_m2});
   }
 }
 
@@ -222,7 +216,7 @@ std::vector<Candidate> LineSearch::candidates(const std::vector<Patch>& open,
                                               const std::vector<PiecePtr>& taken, const Cover& cover) {
   std::vector<Candidate> out;
   for (std::size_t i = 0; i < borders_.size(); i += kOffsets)
-    add_line(borders_[i + rng_.below(kOffsets)], open, out);
+    add_stretches(borders_[i + rng_.below(kOffsets)], open, out);
   std::vector<Vec2> directions;
   for (const PiecePtr& piece : taken) {
     add_line(piece->band.line, open, out);
@@ -252,16 +246,23 @@ LineGain LineSearch::gain_of(const Candidate& candidate, const std::vector<Patch
                                    : view.flown(params_.piece_cost_m);
 }
 
+/// No less than the gain's rate: for a piece of its own without a look at what exactly it sees.
+double LineSearch::most_rate(const Candidate& candidate, const std::vector<Patch>& open) const {
+  if (candidate.base != nullptr) return gain_of(candidate, open).rate;
+  return candidate.most_m2 / (params_.piece_cost_m + candidate.most_m2 / params_.width_m);
+}
+
 /// Greedy; a candidate's gain only shrinks, so that those behind the best known need no second look. False
-/// when it takes more than the budget.
+/// when it takes more than the budget, or must since none sees enough for its cost.
 bool LineSearch::recover(std::vector<Patch>& open, const std::vector<PiecePtr>& taken, double budget_m,
                          Cover& cover) {
   std::vector<Candidate> all = candidates(open, taken, cover);
   std::vector<std::pair<double, std::size_t>> queue;
-  for (std::size_t i = 0; i < all.size(); ++i)
-    queue.emplace_back(gain_of(all[i], open).rate * all[i].noise, i);
+  double open_m2 = area_m2(open);
+  for (std::size_t i = 0; i < all.size(); ++i) queue.emplace_back(most_rate(all[i], open) * all[i].noise, i);
   std::make_heap(queue.begin(), queue.end());
-  while (!queue.empty() && cover.lost_m2 + area_m2(open) > params_.allowed_m2) {
+  while (!queue.empty() && cover.lost_m2 + open_m2 > params_.allowed_m2) {
+    if (cover.lost_m2 + open_m2 - params_.allowed_m2 > budget_m * queue.front().first) return false;
     std::pop_heap(queue.begin(), queue.end());
     const auto [rate, at] = queue.back();
     queue.pop_back();
@@ -288,13 +289,14 @@ bool LineSearch::recover(std::vector<Patch>& open, const std::vector<PiecePtr>& 
       cover.pieces.push_back(piece);
     }
     if (budget_m < 0.0) return false;
-    const double before_m2 = area_m2(open);
+    const double before_m2 = open_m2;
     subtract(piece->band, open);
-    if (area_m2(open) > before_m2 - kNothing_m2) continue;
+    open_m2 = area_m2(open);
+    if (open_m2 > before_m2 - kNothing_m2) continue;
     queue.emplace_back(gain_of(candidate, open).rate * candidate.noise, at);
     std::push_heap(queue.begin(), queue.end());
   }
-  cover.lost_m2 += area_m2(open);
+  cover.lost_m2 += open_m2;
   return cover.lost_m2 <= params_.allowed_m2;
 }
 

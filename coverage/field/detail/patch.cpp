@@ -138,6 +138,20 @@ void subtract_one(const std::array<HalfPlane, 4>& planes, const Patch& patch, st
   }
 }
 
+/// Whether a band's two directions leave no gap between it and the other.
+bool overlaps_along(const Band& a, const Band& b) {
+  const Vec2 from = b.line.at(b.along.from);
+  const Vec2 to = b.line.at(b.along.to);
+  const double turn = a.line.along.dot(b.line.along);
+  const double across = std::abs(a.line.along.x() * b.line.along.y() - a.line.along.y() * b.line.along.x());
+  const double end = b.half_width_m * across;
+  const double side = b.half_width_m * std::abs(turn);
+  const auto [low, high] = std::minmax({a.line.along_of(from), a.line.along_of(to)});
+  if (high + end < a.along.from || low - end > a.along.to) return false;
+  const auto [right, left] = std::minmax({a.line.left_of(from), a.line.left_of(to)});
+  return left + side > -a.half_width_m && right - side < a.half_width_m;
+}
+
 /// A patch's corners along and across a band.
 struct Turned {
   std::array<Vec2, Patch::kMostCorners> corners;
@@ -172,6 +186,8 @@ struct Crossing {
 };
 
 }  // namespace
+
+bool may_meet(const Band& a, const Band& b) { return overlaps_along(a, b) && overlaps_along(b, a); }
 
 Band band_of(const Segment& segment, double width_m) {
   return {line_through(segment.from_m, segment.to_m),
@@ -263,11 +279,7 @@ void subtract(const Band& band, std::vector<Patch>& patches) {
 BandPart part_in_band(const Patch& patch, const Band& band) {
   constexpr double kFar = std::numeric_limits<double>::infinity();
   BandPart out{0.0, {kFar, -kFar}};
-  const Vec2 middle(band.line.along_of(patch.middle_m), band.line.left_of(patch.middle_m));
-  const double radius = patch.radius_m;
-  if (std::abs(middle.y()) >= band.half_width_m + radius || middle.x() - radius >= band.along.to ||
-      middle.x() + radius <= band.along.from)
-    return out;
+  if (!may_meet(band, patch)) return out;
   Turned turned;
   Vec2 lo(kFar, kFar);
   Vec2 hi(-kFar, -kFar);
@@ -292,6 +304,12 @@ BandPart part_in_band(const Patch& patch, const Band& band) {
   }
   out.area_m2 = twice / 2.0;
   return out;
+}
+
+double area_near(const Band& band, const std::vector<Patch>& patches) {
+  double sum = 0.0;
+  for (const Patch& patch : patches) sum += may_meet(band, patch) ? patch.area_m2 : 0.0;
+  return sum;
 }
 
 double area_m2(const std::vector<Patch>& patches) {

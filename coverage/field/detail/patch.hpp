@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <vector>
 
 #include "coverage/field/detail/lines.hpp"
@@ -13,11 +14,11 @@ namespace swallowtail::coverage::detail {
 /// A convex polygon of few corners, counter-clockwise.
 struct Patch {
   static constexpr std::size_t kMostCorners = 12;
-  std::array<Vec2, kMostCorners> corners;
-  std::size_t size = 0;
-  Vec2 middle_m = Vec2::Zero();
+  Vec2 middle_m = Vec2::Zero();  ///< of a circle of radius_m around it
   double radius_m = 0.0;
   double area_m2 = 0.0;
+  std::size_t size = 0;
+  std::array<Vec2, kMostCorners> corners;
 };
 
 /// What is seen from a segment: half a width to each side.
@@ -26,11 +27,20 @@ struct Band {
   Interval along;
   double half_width_m = 0.0;
 };
+/// By the patch's circle.
+inline bool may_meet(const Band& band, const Patch& patch) {
+  const double at = band.line.along_of(patch.middle_m);
+  return std::abs(band.line.left_of(patch.middle_m)) < band.half_width_m + patch.radius_m &&
+         at + patch.radius_m > band.along.from && at - patch.radius_m < band.along.to;
+}
 /// As seen_from: kInside_m beyond the segment's ends.
 Band band_of(const Segment& segment, double width_m);
 
 /// The polygon as trapezoids between the heights of its vertices.
 std::vector<Patch> patches_of(const Polygon& polygon);
+
+/// Whether neither's directions leave a gap between the two.
+bool may_meet(const Band& a, const Band& b);
 
 /// What of the patches lies in the band.
 std::vector<Patch> within(const std::vector<Patch>& patches, const Band& band);
@@ -39,6 +49,9 @@ void subtract(const Band& band, std::vector<Patch>& patches);
 
 /// Area of a patch in the band and its extent along the line.
 BandPart part_in_band(const Patch& patch, const Band& band);
+
+/// Of the patches that the band may meet, told by their circles.
+double area_near(const Band& band, const std::vector<Patch>& patches);
 
 double area_m2(const std::vector<Patch>& patches);
 
