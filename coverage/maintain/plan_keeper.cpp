@@ -9,6 +9,7 @@ namespace {
 constexpr double kAtSite_m = 1.5;
 constexpr double kShiftEvery_s = 30.0;
 constexpr double kGapOverlap_m = 0.5;
+constexpr double kFresh_s = 3.0;             ///< how old a battery state may be to decide on it
 constexpr double kLandingSpareShare = 0.01;  ///< of the capacity
 constexpr double kOverdue_s =
     120.0;  ///< past the time to leave, before it is said that the robot holds it up
@@ -244,9 +245,10 @@ bool PlanKeeper::on_vehicle(const AircraftView& vehicle) {
     if (times_off) {
       shift_times(plan_, plan_.legs_done, late);
       note_revision("times: the take-off was " + std::to_string(std::lround(late)) + " s late");
-      return true;
     }
-    return false;
+    // What was lost just before may call for coming down again at once.
+    const bool is_known = battery_ && battery_->time_s >= vehicle.time_s - kFresh_s;
+    return (is_known && review_flight()) || times_off;
   }
   if (before && !before->on_ground() && vehicle.on_ground()) {
     landed_since_s_ = vehicle.time_s;
