@@ -28,8 +28,8 @@ Vec3 first_direction(const Vec3& start, const std::vector<RoutePoint>& route) {
 }
 
 /// A stop first if the route begins with a turn that cannot be flown from the velocity at the start.
-std::vector<RoutePoint> with_first_stop(const ReplanRequest& request, const VehicleLimits& limits) {
-  std::vector<RoutePoint> route = request.route;
+std::vector<RoutePoint> with_first_stop(const ReplanRequest& request, std::vector<RoutePoint> route,
+                                        const VehicleLimits& limits) {
   const Vec3 direction = first_direction(request.start_m, route);
   const Vec3& velocity = request.start_velocity_mps;
   if (velocity.norm() < 1e-3 || direction == Vec3::Zero()) return route;
@@ -76,8 +76,8 @@ struct Replanner::Impl {
       return report;
     }
     const ClearanceQuery query(world);
-    TimedRoute timed =
-        TimedRoute::make(request.start_m, request.start_time_s, with_first_stop(request, limits), limits);
+    TimedRoute timed = TimedRoute::make(request.start_m, request.start_time_s,
+                                        with_first_stop(request, request.route, limits), limits);
     RouteRepair repair(world, query, limits, params, stop, previous);
     const bool repaired = repair.repair(timed);
     report.evaluations = repair.evaluations();
@@ -85,6 +85,10 @@ struct Replanner::Impl {
     report.waits = repair.waits();
     report.skipped_cover_m = repair.skipped_cover_m();
     if (repaired) {
+      // A way round that begins at the start may have taken the first stop's place, or need one.
+      std::vector<RoutePoint> stopped = with_first_stop(request, timed.route, limits);
+      if (stopped.size() > timed.route.size())
+        timed = TimedRoute::make(request.start_m, request.start_time_s, stopped, limits);
       report.certificate = certify(timed.path, query, limits);
       if (report.certificate.certified) {
         report.verdict = Verdict::kCertified;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <cmath>
 
 #include "tests/unit/planner/replan/random_worlds.hpp"
 
@@ -47,6 +48,30 @@ TEST(Replanner, LeavesAClearRouteAlone) {
   EXPECT_EQ(report.reason, "route is clear");
   EXPECT_TRUE(report.lands);
   EXPECT_NEAR(length_m(report.path), 230.0, 1e-9);
+}
+
+TEST(Replanner, StopsFirstWhereADetourAtTheStartTurnsBack) {
+  // It flies east beside a ball and is to go west, through it: the way round begins where it is.
+  int stops = 0;
+  for (const double off_m : {5.51, 5.6, 5.8, 6.0, 6.5}) {
+    ReplanRequest request;
+    request.start_m = Vec3(off_m, 0, 20);
+    request.start_velocity_mps = Vec3(6, 0, 0);
+    request.route = {{Vec3(-60, 0, 20), Phase::kTransfer, 0, 0.0}};
+    const ReplanReport report = plan(world_of({ball(5, Vec3(0, 0, 20), 3)}), request);
+    ASSERT_NE(report.verdict, Verdict::kNoSafePath) << off_m;
+    std::size_t first = 1;
+    while (first < report.path.size() &&
+           (report.path[first].position_m - request.start_m).norm() <= kSamePlace_m)
+      ++first;
+    if (first == report.path.size()) continue;
+    const double stood_s = report.path[first - 1].time_s - report.path.front().time_s;
+    const Vec3 direction = (report.path[first].position_m - request.start_m).normalized();
+    const bool turns = direction.dot(Vec3::UnitX()) < std::cos(VehicleLimits{}.turn_max_rad);
+    EXPECT_TRUE(!turns || stood_s >= kStopToTurn_s) << off_m << ": " << direction.transpose();
+    stops += turns ? 1 : 0;
+  }
+  EXPECT_GT(stops, 0);
 }
 
 TEST(Replanner, GoesRoundAndRejoinsTheStripRightAfter) {
