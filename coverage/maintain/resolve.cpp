@@ -113,6 +113,12 @@ Vec3 PlanKeeper::point_ahead() const {
   Vec3 way = vehicle_->velocity_mps;
   way.z() = 0.0;
   Vec3 out = vehicle_->position_m + way * params_.reaction_s;
+  // Where a no-fly area or a hole begins before that, it need not go so far.
+  const Vec2 here = vehicle_->position_m.head<2>();
+  for (const double share : {0.5, 0.25, 0.0}) {
+    if (ways_->is_free(here, out.head<2>())) break;
+    out = vehicle_->position_m + way * (share * params_.reaction_s);
+  }
   // Just off the ground there is no place to fly to but above.
   out.z() = std::max(
       out.z(), terrain_.height_at(out.x(), out.y()) + 1.5 * task_.vehicle.clearance_m() + kAboveGround_m);
