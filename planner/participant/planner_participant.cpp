@@ -297,8 +297,7 @@ Status PlannerParticipant::replan(double now_s) {
     std::vector<RoutePoint> route = route_from(start, join_s);
     if (route.empty()) return {};
     const Vec3 velocity = log_.empty() ? to_vec(vehicle_->velocity_mps) : log_.velocity(asked_s);
-    const StopCondition stop{.clock = &clock_, .deadline_s = clock_.now_s() + 1e-3 * options_.budget_ms};
-    report = replanner_->plan(keeper_.world(), {start.position_m, join_s, velocity, std::move(route)}, stop);
+    report = plan_or_land({start.position_m, join_s, velocity, std::move(route)});
     if (report.verdict != Verdict::kNoSafePath) break;
   }
   retry_wall_s_ = clock_.now_s() + kRetry_s;

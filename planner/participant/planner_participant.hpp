@@ -103,6 +103,7 @@ class PlannerParticipant {
   std::vector<RoutePoint> route_to_goal(const RouteStart& start, double join_s);
   Status plan_from_ground(double now_s);
   Status replan(double now_s);
+  ReplanReport plan_or_land(ReplanRequest request);
   Status publish(const ReplanReport& report, double now_s, double replan_ms);
   void fail(const ReplanReport& report);
 
