@@ -36,7 +36,7 @@ void Safety::watch_no_fly(const Motion& to) {
   const auto within = std::ranges::find_if(no_fly_, [&](const coverage::Polygon& area) {
     return coverage::contains(area, at) && coverage::border_distance_m(area, at) > kNoFlySlack_m;
   });
-  const bool is_within = within != no_fly_.end();
+  const bool is_within = !to.on_ground() && within != no_fly_.end();
   if (is_within && !was_within_) {
     ++violations_;
     const auto index = static_cast<std::uint32_t>(within - no_fly_.begin());

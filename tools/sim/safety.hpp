@@ -17,7 +17,7 @@ namespace swallowtail::sim {
 /// Watches the true flight against the true world, every step, continuously within the step.
 /// - violation: nearer to an obstacle than radius + margin + its own margin, or less than radius + margin
 /// above the ground outside take-off and landing;
-/// - violation too: within a no-fly area by more than its tolerance, on the ground as well;
+/// - violation too: in the air inside a no-fly area;
 /// - collision: nearer to an obstacle than the radius, or below the ground.
 /// One episode counts once, however long it lasts. On the ground nothing counts.
 class Safety {

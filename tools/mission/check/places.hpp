@@ -8,7 +8,7 @@
 
 namespace swallowtail::check {
 
-/// The aircraft inside a no-fly area, at any height, on the ground too.
+/// The aircraft in flight inside a no-fly area, at any height.
 void judge_no_fly(const Rules& rules, const P3& p, double time_s, Findings& findings);
 
 /// The robot inside closed ground, or farther from every road than it may be.

@@ -91,7 +91,7 @@ TEST_P(ClosedLoop, IsFlownWholeAndSafely) {
 INSTANTIATE_TEST_SUITE_P(Missions, ClosedLoop,
                          ::testing::Combine(::testing::Values("two_heights.yaml",
                                                               "hills_moving_obstacle.yaml",
-                                                              "battery_fault_late_robot.yaml"),
+                                                              "battery_fault_late_robot.yaml", "pond.yaml"),
                                             ::testing::Values(5.0, 20.0)));
 
 }  // namespace
