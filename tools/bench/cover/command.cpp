@@ -5,6 +5,7 @@
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
+#include "planner/base/clock.hpp"
 #include "tools/bench/commands.hpp"
 #include "tools/bench/cover/parts.hpp"
 #include "tools/cli/common.hpp"
@@ -21,11 +22,11 @@ struct Part {
 };
 
 const std::vector<Part>& known_parts() {
-  static const std::vector<Part> all{{"parcels", 0.38, measure_parcels},
-                                     {"holes", 0.14, measure_holes},
+  static const std::vector<Part> all{{"parcels", 0.25, measure_parcels},
+                                     {"holes", 0.2, measure_holes},
                                      {"graph", 0.02, measure_graph},
-                                     {"repair", 0.14, measure_repair},
-                                     {"growth", 0.32, measure_growth}};
+                                     {"repair", 0.1, measure_repair},
+                                     {"growth", 0.43, measure_growth}};
   return all;
 }
 
@@ -52,10 +53,15 @@ Status run_all(const CoverOptions& options, Report& report) {
   const std::vector<Part> parts = chosen(options);
   double shares = 0.0;
   for (const Part& part : parts) shares += part.budget_share;
+  // What one part does not use is left for the others.
+  const ThreadCpuClock clock;
+  const double ends_s = clock.now_s() + options.budget_s;
   for (const Part& part : parts) {
     if (cli::interrupted()) break;
-    CoverBench bench{options, *peers, progress, report, options.budget_s * part.budget_share / shares};
+    const double left_s = std::max(0.0, ends_s - clock.now_s());
+    CoverBench bench{options, *peers, progress, report, left_s * part.budget_share / shares};
     if (const Status status = part.measure(bench); !status) return status;
+    shares -= part.budget_share;
   }
   report.notes.emplace_back(
       "The peers' figures are measurements from a file, on another day: read ratios. The covered share is "

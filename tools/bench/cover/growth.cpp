@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/core.h>
@@ -30,9 +31,10 @@ Status measure_growth(CoverBench& bench) {
       const auto& [before, cpu_s] = measured.points.back();
       const double expected_s = cpu_s * std::pow(size / before, kExpectedPower);
       if (expected_s > left_s) {
-        bench.report.notes.push_back(
-            fmt::format("Growth ends before {} sub-cells, which would take about {:.0f} s of CPU (--budget).",
-                        size, expected_s));
+        bench.report.notes.push_back(fmt::format(
+            "Growth ends before {} sub-cells: they would take about {:.0f} s of CPU, and {:.0f} s "
+            "are left (--budget).",
+            size, expected_s, std::max(0.0, left_s)));
         break;
       }
     }

@@ -17,7 +17,7 @@ struct CoverOptions {
   std::string fields;  ///< folder of field files; empty: the real ones where they are there, else the shipped
   std::vector<std::string> parts;  ///< empty: all
   int max_sub_cells = 5'000;       ///< of the growth
-  double budget_s = 100.0;         ///< CPU seconds of all parts together
+  double budget_s = 180.0;         ///< CPU seconds of all parts together
 };
 
 struct CoverBench {

@@ -9,33 +9,37 @@
 #include "coverage/field/detail/patch.hpp"
 #include "coverage/field/strips.hpp"
 #include "planner/base/rng.hpp"
-#include "tests/support/holed_field.hpp"
+#include "tests/support/cover_oracle.hpp"
+#include "tools/bench/cover/holed_field.hpp"
 
 namespace swallowtail::coverage {
 namespace {
 
 using test_support::Ground;
 
-Polygon polygon_of(const Ground& ground) {
-  Polygon out;
-  for (const auto& points : ground.rings) {
-    Ring ring;
-    for (const auto& [x, y] : points) ring.emplace_back(x, y);
-    (out.outline.empty() ? out.outline : out.holes.emplace_back()) = ring;
-  }
-  return clean(out)->front();
+Polygon field_of(std::uint64_t seed) { return clean(bench::holed_field(seed))->front(); }
+
+Ground ground_of(const Polygon& polygon) {
+  Ground out;
+  const auto add = [&](const Ring& ring) {
+    out.rings.emplace_back();
+    for (const Vec2& p : ring) out.rings.back().emplace_back(p.x(), p.y());
+  };
+  add(polygon.outline);
+  for (const Ring& hole : polygon.holes) add(hole);
+  return out;
 }
 
 TEST(Patches, HaveTheAreaOfThePolygonTheyAreOf) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-    const Polygon field = polygon_of(test_support::holed_field(seed));
+    const Polygon field = field_of(seed);
     EXPECT_NEAR(detail::area_m2(detail::patches_of(field)), area_m2(field), 1e-3) << seed;
   }
 }
 
 TEST(Patches, LoseWhatBandsSeeAsPolygonsDo) {
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
-    const Polygon field = polygon_of(test_support::holed_field(seed));
+    const Polygon field = field_of(seed);
     Rng rng(seed);
     std::vector<detail::Patch> left = detail::patches_of(field);
     std::vector<Ring> seen;
@@ -69,8 +73,7 @@ TEST(LineSearch, SavesAgainstTheBestSingleDirectionBetweenHoles) {
   double sum = 0.0;
   constexpr int kFields = 4;
   for (std::uint64_t seed = 1; seed <= kFields; ++seed) {
-    const Ground ground = test_support::holed_field(seed);
-    const Polygon field = polygon_of(ground);
+    const Polygon field = field_of(seed);
     StripParams params;
     params.sensor_width_m = 10.0;
     params.piece_cost_m = 26.0;
@@ -79,7 +82,7 @@ TEST(LineSearch, SavesAgainstTheBestSingleDirectionBetweenHoles) {
     std::vector<test_support::FlownLine> lines;
     for (const Piece& piece : strips->pieces)
       lines.push_back({{piece.from_m.x(), piece.from_m.y()}, {piece.to_m.x(), piece.to_m.y()}});
-    const auto verdict = test_support::judge_cover(ground, lines, {.width_m = 10.0});
+    const auto verdict = test_support::judge_cover(ground_of(field), lines, {.width_m = 10.0});
     EXPECT_GE(verdict.covered_share, 0.999) << seed;
     EXPECT_EQ(verdict.outside_m, 0.0) << seed;
     sum += 1.0 - strips->cost_m(26.0) / best_single_cost(field, params, *strips);
@@ -123,7 +126,7 @@ TEST(LineSearch, LeavesStripsOfARectangleAsTheyAre) {
 }
 
 TEST(LineSearch, IsTheSameForASeed) {
-  const Polygon field = polygon_of(test_support::holed_field(7));
+  const Polygon field = field_of(7);
   const auto once = cut_strips(field, {.sensor_width_m = 10.0});
   const auto again = cut_strips(field, {.sensor_width_m = 10.0});
   ASSERT_EQ(once->pieces.size(), again->pieces.size());
