@@ -239,9 +239,15 @@ void Charging::adopt_vehicle(const Inputs& inputs) {
 
 void Charging::follow_changed_meeting(const Inputs& inputs) {
   if (orders_.revision == state_.orders_revision) return;
-  const auto same = std::find_if(orders_.meetings.begin(), orders_.meetings.end(),
-                                 [this](const Meeting& meeting) { return meeting.id == current_.id; });
+  auto same = std::find_if(orders_.meetings.begin(), orders_.meetings.end(),
+                           [this](const Meeting& meeting) { return meeting.id == current_.id; });
+  // The next meeting, here, is this one under another number.
+  if (same == orders_.meetings.end() && !orders_.meetings.empty() &&
+      is_near(orders_.meetings.front().site_m, drive_.position_m()))
+    same = orders_.meetings.begin();
   if (same == orders_.meetings.end()) return;
+  current_.id = same->id;
+  state_.meeting_id = current_.id;
   current_.charge_to = same->charge_to;
   current_.carry_to_m = same->carry_to_m;
   current_.carry_way_m = same->carry_way_m;
