@@ -86,6 +86,7 @@ const State& Charging::step(double time_s, const Inputs& inputs) {
   if (!(duration_s >= 0.0)) return state_;
   state_.time_s = time_s;
   account_for_delivery(inputs, duration_s);
+  forget_replaced_vehicle(inputs);
   vehicle_has_flown_ =
       vehicle_has_flown_ || is_flying(inputs) || (inputs.vehicle && inputs.vehicle->legs_done > 0);
 
@@ -103,6 +104,16 @@ const State& Charging::step(double time_s, const Inputs& inputs) {
   state_.has_vehicle = service_ != Service::kNone;
   state_.orders_revision = orders_.revision;
   return state_;
+}
+
+/// One that has fewer legs done is another, to which no meeting is behind.
+void Charging::forget_replaced_vehicle(const Inputs& inputs) {
+  if (!inputs.vehicle) return;
+  if (inputs.vehicle->legs_done < legs_seen_) {
+    last_done_.reset();
+    vehicle_has_flown_ = false;
+  }
+  legs_seen_ = inputs.vehicle->legs_done;
 }
 
 void Charging::account_for_delivery(const Inputs& inputs, double duration_s) {

@@ -138,6 +138,7 @@ class Charging {
   void serve(const Inputs& inputs, double duration_s);
   void charge(const Inputs& inputs, double duration_s);
   void finish();
+  void forget_replaced_vehicle(const Inputs& inputs);
   void account_for_delivery(const Inputs& inputs, double duration_s);
 
   Orders orders_;
@@ -148,6 +149,7 @@ class Charging {
   Meeting current_;  ///< while service_ is not kNone
   double handling_until_s_ = 0.0;
   std::deque<Delivery> deliveries_;  ///< since the newest battery sample, and the one before it
+  std::uint32_t legs_seen_ = 0;      ///< that the vehicle had done
   bool vehicle_has_flown_ = false;
   std::optional<Meeting> last_done_;
   std::uint32_t last_done_revision_ = 0;

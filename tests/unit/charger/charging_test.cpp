@@ -299,5 +299,50 @@ TEST(Charging, DrivesAlongItsWaysAtTheirSpeed) {
   EXPECT_NEAR(meet.time_s, 100.0, 1.0);
 }
 
+TEST(Charging, KnowsThatAVehicleLeftUnseen) {
+  Meet meet(two_meetings());
+  meet_first(meet);
+  ASSERT_TRUE(meet.reaches(Activity::kReady));
+  // It flew while nothing was heard of it, and stands at the second meeting now.
+  meet.partner.on_board = false;
+  Inputs later = meet.inputs();
+  later.vehicle->position_m = two_meetings().meetings[1].site_m;
+  later.vehicle->docked_here = false;
+  later.vehicle->legs_done = 2;
+  meet.charging.step(meet.time_s + 0.1, later);
+  EXPECT_FALSE(meet.charging.state().has_vehicle);
+  EXPECT_EQ(meet.charging.state().meetings_done, 1U);
+  meet.charging.step(meet.time_s + 0.2, later);
+  EXPECT_EQ(meet.charging.state().activity, Activity::kDriving);
+}
+
+TEST(Charging, ChargesAsANewPlanSaysThatNumbersTheMeetingAnew) {
+  Meet meet(two_meetings());
+  meet_first(meet);
+  ASSERT_TRUE(meet.reaches(Activity::kReady));
+  Orders anew = two_meetings();
+  anew.revision = 2;
+  anew.meetings[0].id = 1;
+  anew.meetings[0].charge_to = 95.0;
+  ASSERT_TRUE(meet.charging.set_orders(anew));
+  meet.step();
+  EXPECT_EQ(meet.charging.state().meeting_id, 1U);
+  ASSERT_TRUE(meet.reaches(Activity::kReady));
+  EXPECT_NEAR(meet.partner.energy, 95.0, 0.5);
+}
+
+TEST(Charging, AnotherVehicleHasNoMeetingsBehindIt) {
+  Meet meet(two_meetings());
+  meet_first(meet);
+  ASSERT_TRUE(meet.reaches(Activity::kReady));
+  meet.partner.fly_off();
+  meet.run(1.0);
+  ASSERT_EQ(meet.charging.state().meetings_done, 1U);
+  meet.partner.legs_done = 0;
+  meet.partner.land_at(Vec3(-20, 0, 0));
+  meet.run(0.5);
+  EXPECT_EQ(meet.charging.state().meeting_id, two_meetings().meetings[0].id) << "it is served again";
+}
+
 }  // namespace
 }  // namespace swallowtail::charger
