@@ -17,10 +17,14 @@ constexpr double kDriftPerS = 4e-6;
 /// Of what is taken more against the wind, that upright flight is taken to need.
 constexpr double kUprightOfAlong = 0.6;
 constexpr double kMostAlong = 0.8;
+/// Of gusts that last for seconds so much is seen as surprise from second to second, against kNoisePerS.
+constexpr double kSurpriseOfGusts = 0.08;
+constexpr double kSurpriseBefore = 0.02;
+constexpr double kSurpriseWeight = 0.04;
 
 }  // namespace
 
-Consumption::Consumption() : shares_(1.0, 0.0, 0.0, 0.0) {
+Consumption::Consumption() : shares_(1.0, 0.0, 0.0, 0.0), surprise_(kSurpriseBefore) {
   covariance_ = Eigen::Vector4d(kPriorAll * kPriorAll, kPriorAlong * kPriorAlong, kPriorAlong * kPriorAlong,
                                 kPriorUpright * kPriorUpright)
                     .asDiagonal();
@@ -43,7 +47,9 @@ void Consumption::learn(double energy) {
   const Eigen::Vector4d gain = covariance_ * noted_;
   const double variance = noted_.dot(gain) + noise_;
   if (noted_s_ > 0.0 && variance > 1e-12) {
-    shares_ += gain * ((energy - noted_.dot(shares_)) / variance);
+    const double unforeseen = energy - noted_.dot(shares_);
+    shares_ += gain * (unforeseen / variance);
+    surprise_ += kSurpriseWeight * (std::min(1.0, unforeseen * unforeseen / variance) - surprise_);
     covariance_ -= gain * gain.transpose() / variance;
   }
   forget();
@@ -63,6 +69,11 @@ Correction Consumption::correction() const {
   if (along > kMostAlong) out.along *= kMostAlong / along;
   out.upright = std::max({0.0, shares_[3] + shares_[0] - out.all, kUprightOfAlong * out.along.norm()});
   return out;
+}
+
+double Consumption::gust_deviation(const FlightCost& flight) const {
+  if (!(flight.time_s > 0.0)) return 0.0;
+  return flight.energy * std::sqrt(kNoisePerS * std::min(1.0, surprise_ / kSurpriseOfGusts) / flight.time_s);
 }
 
 double Consumption::upright_deviation(const FlightCost& flight) const {

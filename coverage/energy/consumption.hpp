@@ -30,12 +30,16 @@ class Consumption {
   Correction correction() const;
   /// Standard deviation of what a flight that is not level takes, which should take this.
   double upright_deviation(const FlightCost& flight) const;
+  /// Of what any flight takes which should take this, if all that is known were true: gusts, as restless as
+  /// they have been.
+  double gust_deviation(const FlightCost& flight) const;
 
  private:
   Eigen::Vector4d shares_;  ///< all, along east and north, upright
   Eigen::Matrix4d covariance_;
   Eigen::Vector4d noted_ = Eigen::Vector4d::Zero();  ///< the model's energy by share
   double noise_ = 0.0;                               ///< variance of what the flight noted took
+  double surprise_;                                  ///< mean square of what was not foreseen, against noise_
   double noted_s_ = 0.0;
 };
 

@@ -1,14 +1,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "coverage/maintain/plan_keeper.hpp"
 #include "coverage/schedule/improve.hpp"
 
-/// How PlanKeeper takes up changed fields while a mission is under way.
+/// How PlanKeeper takes up changed fields, and another aircraft, while a mission is under way.
 namespace swallowtail::coverage {
 namespace {
 
+constexpr double kAtStart_m = 1.5;               ///< that counts as the task's start
 constexpr double kStation_m = 1.0;               ///< between places of a strip that are looked at
 constexpr double kOverlap_m = 0.5;               ///< that a piece reaches into what is flown
 constexpr double kSwathEdge_m = 0.1;             ///< that a swath may be narrower by
@@ -79,7 +81,56 @@ std::vector<Leg> PlanKeeper::flown_legs(std::size_t committed) const {
   std::erase_if(out, [&](const Leg& leg) {
     return std::find(left_out_.begin(), left_out_.end(), leg.sub_cell_id) != left_out_.end();
   });
+  out.insert(out.end(), retired_.begin(), retired_.end());
   return out;
+}
+
+/// It counts its legs from where it begins: the plan becomes what those before it left.
+bool PlanKeeper::replace_aircraft(const AircraftView& vehicle) {
+  const std::string flown = std::to_string(plan_.legs_done);
+  retired_ = flown_legs(0);
+  vehicle_.reset();  // nobody covers the leg under way
+  gaps_ = unflown_legs();
+  plan_.legs.clear();
+  plan_.approach_m.clear();
+  plan_.rendezvous.clear();
+  left_out_.clear();
+  track_.reset();
+  battery_.reset();
+  consumption_ = {};
+  task_.battery.capacity = capacity_as_asked_;
+  lands_at_once_ = false;
+  told_no_plan_ = false;
+  told_overdue_ = false;
+  told_short_ = false;
+  solved_slack_.reset();
+  retry_s_ = vehicle.time_s;
+  return begin_anew(vehicle, "another aircraft goes on after " + flown + " legs flown");
+}
+
+void PlanKeeper::start_over_after(const AircraftView& vehicle) {
+  shift_times(plan_, 0, vehicle.time_s);
+  begin_anew(vehicle, "made anew in the middle of the mission");
+}
+
+/// Legs that this aircraft has flown, which are not known, stand in front as points.
+bool PlanKeeper::begin_anew(const AircraftView& vehicle, const std::string& reason) {
+  Leg point = point_leg(vehicle.position_m);
+  point.transfer = Transfer::kFF;
+  std::vector<Leg> prefix(vehicle.legs_done, point);
+  if (!prefix.empty()) prefix.back().transfer_m = std::exchange(plan_.approach_m, {});
+  plan_.legs.insert(plan_.legs.begin(), prefix.begin(), prefix.end());
+  for (Rendezvous& meeting : plan_.rendezvous)
+    meeting.id += static_cast<std::uint32_t>(2 * vehicle.legs_done);
+  plan_.legs_done = vehicle.legs_done;
+  vehicle_ = vehicle;
+  landed_since_s_ = vehicle.time_s;
+  // At the start it takes off by itself, elsewhere from the robot only.
+  const bool at_start = (vehicle.position_m - task_.start_m).head<2>().norm() < kAtStart_m;
+  has_flown_ = vehicle.legs_done > 0 || !vehicle.on_ground() || !at_start;
+  const bool solved = vehicle.on_ground() ? solve_on_ground(reason) : solve_in_flight(reason);
+  if (!solved && !(vehicle.on_ground() && tell_no_plan())) note_revision(reason);
+  return true;
 }
 
 Status PlanKeeper::change_task(Task task) {

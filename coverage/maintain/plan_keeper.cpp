@@ -11,6 +11,7 @@ constexpr double kShiftEvery_s = 30.0;
 constexpr double kGapOverlap_m = 0.5;
 constexpr double kFresh_s = 3.0;             ///< how old a battery state may be to decide on it
 constexpr double kLandingSpareShare = 0.01;  ///< of the capacity
+constexpr double kLastSeconds_s = 20.0;
 constexpr double kOverdue_s =
     120.0;  ///< past the time to leave, before it is said that the robot holds it up
 
@@ -34,6 +35,7 @@ PlanKeeper::PlanKeeper(Task task, planner::Terrain terrain, const KeeperParams& 
 PlanKeeper::PlanKeeper(Task task, planner::Terrain terrain, const KeeperParams& params, LivePlan plan,
                        std::vector<FieldReport> fields, std::shared_ptr<const Ways> ways)
     : task_(std::move(task)),
+      capacity_as_asked_(task_.battery.capacity),
       terrain_(std::move(terrain)),
       params_(params),
       plan_(std::move(plan)),
@@ -50,10 +52,13 @@ EnergyModel PlanKeeper::energy_model() const {
 }
 
 /// To keep at a landing besides the reserve. Consumption above what was allowed for comes from wind or a bad
-/// model, and differs from flight to flight: then it is more.
+/// model, and differs from flight to flight: then it is more; and never less than gusts may take in the last
+/// seconds, when nothing can be changed any more.
 double PlanKeeper::landing_spare() const {
   const bool unsteady = consumption_.correction().all > 1.0 + params_.planning.energy_margin;
-  return (unsteady ? 3.0 : 1.0) * kLandingSpareShare * task_.battery.capacity;
+  const double power = model().power(Vec3::Zero(), task_.start_m.z());
+  const double gusts = consumption_.gust_deviation({kLastSeconds_s, kLastSeconds_s * power, 0.0});
+  return std::max((unsteady ? 3.0 : 1.0) * kLandingSpareShare * task_.battery.capacity, gusts);
 }
 
 double PlanKeeper::energy_now() const {
@@ -134,11 +139,12 @@ FlightCost PlanKeeper::flight_over(std::span<const Leg> legs, const ScheduleStar
 FlightCost PlanKeeper::flight_to(const Rendezvous* landing, const ScheduleStart& start) const {
   const FlightModel flight = model();
   const std::size_t size = plan_.legs.size();
+  if (size == 0) return flight.landing(start.position_m);
   const std::size_t past = landing != nullptr ? std::min(size, landing->id / 2 + std::size_t{1}) : size;
   const bool at_entry = landing != nullptr && landing->id % 2 == 1 && past < size;
   if (past <= plan_.legs_done) {
-    return at_entry ? flight.transfer_and_land(start.position_m, start.direction, plan_.legs[past].entry_m)
-                    : flight.landing(start.position_m);
+    const Vec3 above = at_entry ? plan_.legs[past].entry_m : plan_.legs[past - 1].exit_m;
+    return flight.transfer_and_land(start.position_m, start.direction, above);
   }
   const Leg& last = plan_.legs[past - 1];
   const FlightCost cost =
@@ -225,8 +231,12 @@ void PlanKeeper::follow_progress(const AircraftView& vehicle) {
 
 bool PlanKeeper::on_vehicle(const AircraftView& vehicle) {
   if (vehicle_ && vehicle.time_s < vehicle_->time_s) return false;
+  if (vehicle.legs_done < (vehicle_ ? vehicle_->legs_done : plan_.legs_done))
+    return replace_aircraft(vehicle);
   const std::optional<AircraftView> before = vehicle_;
   vehicle_ = vehicle;
+  // This keeper may be younger than the mission.
+  has_flown_ = has_flown_ || (!before && (vehicle.legs_done > 0 || !vehicle.on_ground()));
   if (before) note_flight(*before, vehicle);
   if (before && before->on_ground() && !vehicle.on_ground()) {
     const bool times_off =

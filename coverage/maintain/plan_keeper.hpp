@@ -78,6 +78,8 @@ class PlanKeeper {
   Status change_task(Task task);
   /// For a plan made when others were in force before: its revision is above theirs.
   void set_revision_above(std::uint32_t revision) { plan_.revision = std::max(plan_.revision, revision + 1); }
+  /// Whether anything has been flown, by this aircraft or one before it.
+  bool has_begun() const { return plan_.legs_done > 0 || !retired_.empty(); }
   /// For a keeper that started in the middle of a mission without the plan that was flown: the unknown flown
   /// legs stand in the prefix as points, and everything is flown again.
   void start_over_after(const AircraftView& vehicle);
@@ -120,12 +122,19 @@ class PlanKeeper {
   bool review_flight();
   void note_flight(const AircraftView& before, const AircraftView& now);
   void learn_consumption(const BatteryView& before, const BatteryView& now);
+  /// To come down where a change reaches the aircraft.
+  struct DownNow {
+    FlightCost there;
+    FlightCost descent;
+  };
+  DownNow down_now() const;
   bool is_last_chance(const FlightCost& to_landing) const;
   bool review_wait();
   bool review_ground();
   bool tell_no_plan();
   bool review_gaps();
-  bool solve_in_flight(const std::string& reason);
+  enum class Otherwise : std::uint8_t { kLand, kGoOn };  ///< where nothing keeps the reserve
+  bool solve_in_flight(const std::string& reason, Otherwise otherwise = Otherwise::kLand);
   bool solve_on_ground(const std::string& reason);
   bool solve_docked(const std::string& reason);
   bool top_up_charge();
@@ -144,10 +153,13 @@ class PlanKeeper {
   std::vector<Leg> cut_to_battery(std::vector<Leg> legs, std::size_t from);
   std::vector<Leg> unseen_parts(const SubCell& cell, const std::vector<Leg>& flown);
   std::vector<Leg> flown_legs(std::size_t committed) const;
+  bool replace_aircraft(const AircraftView& vehicle);
+  bool begin_anew(const AircraftView& vehicle, const std::string& reason);
   Status take_cells(const std::vector<SubCell>& cells);
   bool at_meeting(const Vec3& position_m) const;
 
   Task task_;
+  double capacity_as_asked_;  ///< that of the task's battery, whatever the one in use holds
   planner::Terrain terrain_;
   KeeperParams params_;
   LivePlan plan_;
@@ -156,6 +168,7 @@ class PlanKeeper {
   std::optional<AircraftView> vehicle_;
   std::optional<BatteryView> battery_;
   std::optional<RobotView> robot_;
+  std::vector<Leg> retired_;  ///< flown by aircraft before this one, no longer in the plan
   std::optional<StripTrack> track_;
   std::size_t tracked_leg_ = 0;
   std::vector<Leg> gaps_;                ///< left out, not in the plan yet

@@ -145,7 +145,7 @@ void PlanKeeper::adopt(RestPlan rest, const std::string& reason) {
   note_revision(reason);
 }
 
-bool PlanKeeper::solve_in_flight(const std::string& reason) {
+bool PlanKeeper::solve_in_flight(const std::string& reason, Otherwise otherwise) {
   const std::size_t now = plan_.legs_done;
   const bool covering = covers(now);
   const Commitment begun = committed();
@@ -163,6 +163,7 @@ bool PlanKeeper::solve_in_flight(const std::string& reason) {
     // Else it may land a little ahead of here, and come back.
     const std::size_t before_landing = split_ahead(whole, begun);
     found = plan_rest(whole, start, now, model(), params);
+    if (!found && otherwise == Otherwise::kGoOn) return false;
     if (!found) {
       land_at_once(whole.legs, before_landing, reason);
       keep_track_of_leg(entry_m, covering);
@@ -219,9 +220,11 @@ bool PlanKeeper::solve_on_ground(const std::string& reason) {
   if (!found) return false;
   no_plan_.clear();
   Rendezvous meeting = meeting_at(start, vehicle_->time_s, *found->first);
-  meeting.id = static_cast<std::uint32_t>(2 * plan_.legs_done);
-  // It has only just taken off there: landing at the same spot again would share the meeting's number.
-  std::erase_if(found->rendezvous, [&](const Rendezvous& r) { return r.id <= meeting.id; });
+  // It meets the robot before the next leg, as if at its entry; before the first of all there is no number
+  // for that, and a landing right after would share it.
+  meeting.id = plan_.legs_done == 0 ? 0 : static_cast<std::uint32_t>(2 * plan_.legs_done - 1);
+  if (plan_.legs_done == 0)
+    std::erase_if(found->rendezvous, [&](const Rendezvous& r) { return r.id <= meeting.id; });
   found->rendezvous.insert(found->rendezvous.begin(), meeting);
   adopt(std::move(*found), reason);
   track_.reset();
@@ -234,6 +237,10 @@ bool PlanKeeper::solve_docked(const std::string& reason) {
   if (legs.empty() || plan_.rendezvous.empty()) return false;
   const FlightModel flight = model();
   Rendezvous meeting = plan_.rendezvous.front();
+  const bool stays_next = meeting.carry || meeting.id % 2 == 1;
+  // Landed before the leg at whose exit it was to land: now it is at the entry of the next.
+  if (plan_.legs_done > 0 && meeting.id / 2 >= plan_.legs_done)
+    meeting.id = static_cast<std::uint32_t>(2 * plan_.legs_done - 1);
   ScheduleStart start;
   start.kind = StartKind::kDocked;
   start.position_m = meeting.carry ? meeting.carry_to_m : meeting.site_m;
@@ -244,9 +251,8 @@ bool PlanKeeper::solve_docked(const std::string& reason) {
   if (!std::isfinite(start.time_s)) return false;
   start.energy = energy_now();
   // Carried to an entry, it takes off there: that leg stays the next.
-  auto found =
-      plan_rest({std::move(legs), meeting.carry || meeting.id % 2 == 1 ? std::size_t{1} : std::size_t{0}},
-                start, plan_.legs_done, flight, rest_params());
+  auto found = plan_rest({std::move(legs), stays_next ? std::size_t{1} : std::size_t{0}}, start,
+                         plan_.legs_done, flight, rest_params());
   if (!found) return false;
   meeting.charge_to = found->first->energy_to;
   meeting.depart_s = found->first->ready_s + params_.planning.lead_s;
@@ -255,27 +261,6 @@ bool PlanKeeper::solve_docked(const std::string& reason) {
   adopt(std::move(*found), reason);
   track_.reset();
   return true;
-}
-
-void PlanKeeper::start_over_after(const AircraftView& vehicle) {
-  Leg point = point_leg(vehicle.position_m);
-  point.transfer = Transfer::kFF;
-  std::vector<Leg> prefix(vehicle.legs_done, point);
-  if (!prefix.empty()) prefix.back().transfer_m = std::exchange(plan_.approach_m, {});
-  plan_.legs.insert(plan_.legs.begin(), prefix.begin(), prefix.end());
-  for (Rendezvous& meeting : plan_.rendezvous)
-    meeting.id += static_cast<std::uint32_t>(2 * vehicle.legs_done);
-  shift_times(plan_, vehicle.legs_done, vehicle.time_s);
-  plan_.legs_done = vehicle.legs_done;
-  plan_.reason = "made anew in the middle of the mission";
-  vehicle_ = vehicle;
-  has_flown_ = true;
-  if (!vehicle.on_ground()) {
-    solve_in_flight(plan_.reason);
-  } else {
-    landed_since_s_ = vehicle.time_s;
-    solve_on_ground(plan_.reason);
-  }
 }
 
 bool PlanKeeper::top_up_charge() {

@@ -1,15 +1,67 @@
 #include "coverage/maintain/rest.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "coverage/schedule/expand.hpp"
 
 namespace swallowtail::coverage {
+namespace {
+
+std::vector<Vec3> bends(const FlightModel& model, const Vec3& from, const Vec3& to) {
+  const std::vector<Vec3> way = model.way(from, to);
+  return {way.begin() + 1, way.end() - 1};
+}
+
+/// By the time it is flown the aircraft is somewhere on its way.
+std::vector<Vec3> with_begin(std::vector<Vec3> way, const Vec3& begin_m) {
+  if (!way.empty()) way.insert(way.begin(), begin_m);
+  return way;
+}
+
+/// Aloft, all but the last of the fixed legs are flown one after the other: no landing between them reaches
+/// the aircraft in time. The rest is scheduled from there.
+std::optional<RestPlan> plan_behind_begun(const Rest& rest, const ScheduleStart& start,
+                                          std::size_t first_index, const FlightModel& model,
+                                          const RestParams& params) {
+  const auto begun = static_cast<std::ptrdiff_t>(rest.fixed) - 1;
+  ScheduleStart later = start;
+  RestPlan out;
+  out.approach_m = with_begin(bends(model, start.position_m, rest.legs.front().entry_m), start.position_m);
+  for (auto at = rest.legs.begin(); at != rest.legs.begin() + begun; ++at) {
+    Leg leg = *at;
+    const Vec3 along = leg.exit_m - leg.entry_m;
+    const FlightCost hop = model.transfer(later.position_m, leg.entry_m, {later.direction, along});
+    const FlightCost cover = model.level(leg.entry_m, leg.exit_m);
+    leg.start_s = later.time_s + hop.time_s;
+    leg.energy_before = std::max(0.0, later.energy - hop.energy);
+    later.time_s = leg.end_s = leg.start_s + cover.time_s;
+    later.energy -= hop.energy + cover.energy;
+    leg.energy_after = std::max(0.0, later.energy);
+    leg.transfer = Transfer::kFF;
+    later.position_m = leg.exit_m;
+    if (along.norm() > 1e-3) later.direction = along;
+    leg.transfer_m = bends(model, leg.exit_m, std::next(at)->entry_m);
+    out.legs.push_back(leg);
+  }
+  const Rest behind{{rest.legs.begin() + begun, rest.legs.end()}, 1};
+  auto found = plan_rest(behind, later, first_index + static_cast<std::size_t>(begun), model, params);
+  if (!found) return std::nullopt;
+  out.legs.insert(out.legs.end(), found->legs.begin(), found->legs.end());
+  out.rendezvous = std::move(found->rendezvous);
+  out.end_s = found->end_s;
+  return out;
+}
+
+}  // namespace
 
 std::optional<RestPlan> plan_rest(const Rest& rest, const ScheduleStart& start, std::size_t first_index,
                                   const FlightModel& model, const RestParams& params) {
   if (rest.legs.empty()) return std::nullopt;
+  if (start.kind == StartKind::kAir && rest.fixed > 1)
+    return plan_behind_begun(rest, start, first_index, model, params);
   std::vector<SubCell> cells;
   std::vector<Visit> visits;
   for (std::size_t i = 0; i < rest.legs.size(); ++i) {
@@ -41,9 +93,7 @@ std::optional<RestPlan> plan_rest(const Rest& rest, const ScheduleStart& start, 
   }
   out.legs = std::move(expansion.legs);
   out.approach_m = std::move(expansion.approach_m);
-  // By the time it is flown the aircraft is somewhere on its way.
-  if (start.kind == StartKind::kAir && !out.approach_m.empty())
-    out.approach_m.insert(out.approach_m.begin(), start.position_m);
+  if (start.kind == StartKind::kAir) out.approach_m = with_begin(std::move(out.approach_m), start.position_m);
   out.rendezvous = std::move(expansion.rendezvous);
   out.first = schedule->first;
   out.end_s = schedule->end_s;

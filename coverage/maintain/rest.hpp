@@ -14,7 +14,8 @@ namespace swallowtail::coverage {
 /// What is still to be flown, in an order to begin with. Legs are given as they would be flown.
 struct Rest {
   std::vector<Leg> legs;
-  std::size_t fixed = 0;  ///< so many at the front stay where they are
+  /// So many at the front stay where they are; aloft there is no landing before the last of them is flown.
+  std::size_t fixed = 0;
 };
 
 struct RestParams {

@@ -50,16 +50,20 @@ void PlanKeeper::learn_consumption(const BatteryView& before, const BatteryView&
   all_aloft_ = true;
 }
 
-/// Whether coming down must begin now: later the reserve might not last, and the planned landing takes more.
-bool PlanKeeper::is_last_chance(const FlightCost& to_landing) const {
+PlanKeeper::DownNow PlanKeeper::down_now() const {
   const FlightModel flight = model();
   const Vec3 ahead = point_ahead();
-  const FlightCost down = flight.landing(ahead);
-  const FlightCost there = flight.level(vehicle_->position_m, ahead);
-  const double wait = kSampleEvery_s * flight.power(vehicle_->velocity_mps, vehicle_->position_m.z());
-  const double deviation = kDeviations * consumption_.upright_deviation(down);
-  if (energy_now() - there.energy - down.energy - deviation - wait >= task_.battery.reserve) return false;
-  return to_landing.energy > there.energy + down.energy + kWorseShare * task_.battery.capacity;
+  return {flight.level(vehicle_->position_m, ahead), flight.landing(ahead)};
+}
+
+/// Whether coming down must begin now: later the reserve might not last, and the planned landing takes more.
+bool PlanKeeper::is_last_chance(const FlightCost& to_landing) const {
+  const DownNow down = down_now();
+  const double energy = down.there.energy + down.descent.energy;
+  const double wait = kSampleEvery_s * model().power(vehicle_->velocity_mps, vehicle_->position_m.z());
+  const double deviation = kDeviations * consumption_.upright_deviation(down.descent);
+  if (energy_now() - energy - deviation - wait >= task_.battery.reserve) return false;
+  return to_landing.energy > energy + kWorseShare * task_.battery.capacity;
 }
 
 /// In flight: does the energy reach the next landing?
@@ -83,7 +87,10 @@ bool PlanKeeper::review_flight() {
   const std::string reason =
       "energy " + std::to_string(std::lround(energy_now())) +
       (last_chance ? " is just enough to come down" : " does not reach the next landing");
-  const bool changed = last_chance ? come_down(reason) : solve_in_flight(reason);
+  const DownNow down = down_now();
+  const auto otherwise =
+      cost->energy > down.there.energy + down.descent.energy ? Otherwise::kLand : Otherwise::kGoOn;
+  const bool changed = last_chance ? come_down(reason) : solve_in_flight(reason, otherwise);
   const auto after = to_next_landing();
   solved_slack_ = after ? energy_now() - after->energy - task_.battery.reserve : slack;
   return changed;

@@ -1,0 +1,152 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "coverage/maintain/plan_keeper.hpp"
+
+/// Another aircraft in the middle of a mission, and another keeper.
+namespace swallowtail::coverage {
+namespace {
+
+const Vec3 kStart_m(0.0, -5.0, 0.0);
+
+Task square_task() {
+  Task task;
+  task.fields.push_back({1, "square", {{{0, 0}, {160, 0}, {160, 80}, {0, 80}}, {}}, 20.0});
+  task.sweep_rad = 0.0;
+  task.battery.capacity = 120.0;
+  task.battery.reserve = 10.0;
+  task.start_m = kStart_m;
+  task.charger.start_m = kStart_m;
+  return task;
+}
+
+AircraftView on_leg(const LivePlan& plan, std::size_t leg, double share) {
+  const Leg& at = plan.legs[leg];
+  AircraftView view;
+  view.time_s = at.start_s + share * (at.end_s - at.start_s);
+  view.position_m = at.entry_m + share * (at.exit_m - at.entry_m);
+  view.velocity_mps = 8.0 * (at.exit_m - at.entry_m).normalized();
+  view.mode = AircraftMode::kFlying;
+  view.leg_index = leg;
+  view.legs_done = leg;
+  return view;
+}
+
+double cover_m(const LivePlan& plan, std::size_t first) {
+  double out = 0.0;
+  for (std::size_t i = first; i < plan.legs.size(); ++i) {
+    if (plan.legs[i].kind == LegKind::kCover) out += (plan.legs[i].exit_m - plan.legs[i].entry_m).norm();
+  }
+  return out;
+}
+
+class Replaced : public testing::Test {
+ protected:
+  void SetUp() override {
+    auto made = PlanKeeper::make(square_task(), planner::Terrain::flat(0.0), {});
+    ASSERT_TRUE(made.ok()) << made.error().message;
+    keeper_.emplace(std::move(*made));
+    before_ = keeper_->plan();
+    AircraftView start;
+    start.position_m = kStart_m;
+    keeper_->on_vehicle(start);
+    for (std::size_t leg = 0; leg < 2; ++leg) fly(leg, 1.0);
+    fly(2, 0.5);
+    now_s_ = on_leg(before_, 2, 0.5).time_s;
+  }
+
+  void fly(std::size_t leg, double share) {
+    for (int step = 0; step <= 100; ++step) keeper_->on_vehicle(on_leg(before_, leg, 0.01 * step * share));
+  }
+
+  AircraftView landed(const Vec3& at_m, double after_s) const {
+    AircraftView view;
+    view.time_s = now_s_ + after_s;
+    view.position_m = at_m;
+    return view;
+  }
+
+  std::optional<PlanKeeper> keeper_;
+  LivePlan before_;
+  double now_s_ = 0.0;
+};
+
+TEST_F(Replaced, AnotherAircraftAtTheStartFliesWhatIsLeft) {
+  const double left_m = cover_m(before_, 2) - 0.5 * (before_.legs[2].exit_m - before_.legs[2].entry_m).norm();
+  ASSERT_TRUE(keeper_->on_vehicle(landed(kStart_m, 30.0)));
+  const LivePlan& after = keeper_->plan();
+  EXPECT_GT(after.revision, before_.revision);
+  EXPECT_NE(after.reason.find("another aircraft"), std::string::npos) << after.reason;
+  EXPECT_EQ(after.legs_done, 0U);
+  EXPECT_TRUE(keeper_->complete());
+  EXPECT_NEAR(cover_m(after, 0), left_m, 3.0) << "what is flown is not flown again, all else is";
+  EXPECT_GE(after.legs.front().start_s, now_s_ + 30.0);
+  // Its battery is its own.
+  ASSERT_TRUE(keeper_->on_battery({now_s_ + 31.0, 70.0, 120.0}));
+  EXPECT_NE(keeper_->plan().reason.find("not full"), std::string::npos) << keeper_->plan().reason;
+  EXPECT_LE(keeper_->plan().legs.front().energy_before, 70.0);
+}
+
+TEST_F(Replaced, AnotherAircraftElsewhereWaitsForTheRobotFirst) {
+  const Vec3 away(60.0, -40.0, 0.0);
+  ASSERT_TRUE(keeper_->on_vehicle(landed(away, 30.0)));
+  const LivePlan& after = keeper_->plan();
+  ASSERT_FALSE(after.rendezvous.empty()) << after.reason;
+  EXPECT_LT((after.rendezvous.front().site_m - away).norm(), 0.1);
+  EXPECT_GT(after.rendezvous.front().robot_arrives_s, now_s_ + 30.0);
+}
+
+TEST_F(Replaced, AnotherAircraftAloftGoesOnFromWhereItIs) {
+  AircraftView aloft = landed({80.0, 40.0, 25.0}, 30.0);
+  aloft.mode = AircraftMode::kFlying;
+  ASSERT_TRUE(keeper_->on_vehicle(aloft));
+  EXPECT_EQ(keeper_->plan().legs_done, 0U);
+  EXPECT_TRUE(keeper_->energy_at_next_landing().has_value());
+  EXPECT_GT(*keeper_->energy_at_next_landing(), square_task().battery.reserve);
+}
+
+TEST_F(Replaced, WhatTheFirstAircraftFlewStaysFlownWhenTheFieldsChange) {
+  keeper_->on_vehicle(landed(kStart_m, 30.0));
+  const double left_m = cover_m(keeper_->plan(), 0);
+  EXPECT_TRUE(keeper_->has_begun());
+  Task wider = square_task();
+  wider.revision = 2;
+  wider.fields[0].polygon.outline = {{0, 0}, {170, 0}, {170, 80}, {0, 80}};
+  const Status changed = keeper_->change_task(wider);
+  ASSERT_TRUE(changed.ok()) << changed.error().message;
+  const double strips = std::ceil(80.0 / square_task().sensor_width_m);
+  EXPECT_LT(cover_m(keeper_->plan(), 0), left_m + strips * 10.0 + 20.0);
+}
+
+TEST_F(Replaced, ALateStateOfTheFirstAircraftIsNoOtherAircraft) {
+  const std::uint32_t revision = keeper_->plan().revision;
+  EXPECT_FALSE(keeper_->on_vehicle(on_leg(before_, 1, 0.5)));
+  EXPECT_EQ(keeper_->plan().revision, revision);
+}
+
+TEST_F(Replaced, AKeeperThatGoesOnWithAPlanKnowsThatItsAircraftIsAnother) {
+  LivePlan resumed = keeper_->plan();
+  ASSERT_EQ(resumed.legs_done, 2U);
+  PlanKeeper other(square_task(), planner::Terrain::flat(0.0), {}, resumed);
+  ASSERT_TRUE(other.on_vehicle(landed(kStart_m, 30.0)));
+  EXPECT_NE(other.plan().reason.find("another aircraft"), std::string::npos) << other.plan().reason;
+  EXPECT_NEAR(cover_m(other.plan(), 0), cover_m(before_, 2), 1.0);
+}
+
+TEST_F(Replaced, AKeeperThatGoesOnWithAPlanHelpsAnAircraftThatLandedElsewhere) {
+  LivePlan resumed = keeper_->plan();
+  PlanKeeper other(square_task(), planner::Terrain::flat(0.0), {}, resumed);
+  AircraftView stranded = landed({60.0, -40.0, 0.0}, 30.0);
+  stranded.legs_done = 2;
+  ASSERT_TRUE(other.on_vehicle(stranded));
+  EXPECT_EQ(other.plan().legs_done, 2U);
+  EXPECT_EQ(other.plan().legs[1].exit_m, before_.legs[1].exit_m);
+  ASSERT_FALSE(other.plan().rendezvous.empty());
+  EXPECT_LT((other.plan().rendezvous.front().site_m - stranded.position_m).norm(), 0.1);
+  EXPECT_NEAR(cover_m(other.plan(), 2), cover_m(before_, 2), 1.0);
+}
+
+}  // namespace
+}  // namespace swallowtail::coverage
