@@ -11,7 +11,7 @@
 namespace swallowtail::coverage {
 
 /// Strips and transfers keep so far off no-fly areas: the planner, which certifies, asks for less.
-inline constexpr double kOffNoFly_m = 0.1;
+inline constexpr double kOffNoFly_m = 0.05;
 
 /// The task as the wire says it, which has passed data::validate; its no-fly areas are wider by kOffNoFly_m.
 /// The ground robot's ways are left out (travel_of). Errors (kBadInput): a field or no-fly area that is not a

@@ -10,7 +10,7 @@ namespace swallowtail::planner {
 
 /// Certified paths keep so far off no-fly areas, less than coverage plans do; radius and margin of the
 /// vehicle count for nothing there, because strips end at their borders.
-inline constexpr double kOffNoFly_m = 0.05;
+inline constexpr double kOffNoFly_m = 0.02;
 inline constexpr std::size_t kMaxNoFlyParts = 8192;
 
 /// The task's no-fly areas as convex polygons. Errors (kBadInput): an area that is not a valid polygon, one

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "planner/base/rng.hpp"
 #include "tests/unit/planner/participant/planner_fixture.hpp"
 
@@ -91,6 +93,68 @@ TEST_F(PlannerTest, AvoidsAnObstacleThatAppears) {
   run(60.0);
   EXPECT_EQ(vehicle.legs_done, 2u);
   EXPECT_LT(largest_jump_m, 0.01);
+}
+
+/// Least distance of a path to the box between two corners, at any height; 0 inside.
+double distance_to_box(const data::PathPlan& plan, const Vec2& lo, const Vec2& hi) {
+  double least = 1e9;
+  const TimedPath path = to_path(plan.waypoints);
+  for (double t = path.front().time_s; t < path.back().time_s; t += 0.01) {
+    const Vec2 p = position_at(path, t).head<2>();
+    least = std::min(least, (p - p.cwiseMax(lo).cwiseMin(hi)).norm());
+  }
+  return least;
+}
+
+TEST_F(PlannerTest, NeverEntersANoFlyArea) {
+  data::CoverageTask t = task();
+  // Across the second strip and the transfer after the first.
+  t.points.insert(t.points.end(), {{3, 90}, {17, 90}, {17, 120}, {3, 120}});
+  t.rings.push_back({0, 4, 4, false, data::AreaKind::kNoFly});
+  publish(t);
+  publish(plan({Transfer::kFF, Transfer::kFF, Transfer::kEnd}));
+  run(0.2);
+  ASSERT_EQ(path_count(), 1u);
+  EXPECT_EQ(path().verdict, data::PathVerdict::kCertified) << path().reason;
+  EXPECT_GT(distance_to_box(path(), Vec2(3, 90), Vec2(17, 120)), 0.0);
+}
+
+TEST_F(PlannerTest, StripsMayEndNearerToANoFlyAreaThanItsMargin) {
+  data::CoverageTask t = task();
+  t.points.insert(t.points.end(), {{-20, 100.1}, {60, 100.1}, {60, 140}, {-20, 140}});
+  t.rings.push_back({0, 4, 4, false, data::AreaKind::kNoFly});
+  publish(t);
+  publish(plan({Transfer::kFF, Transfer::kFF, Transfer::kEnd}));
+  run(0.2);
+  ASSERT_EQ(path_count(), 1u);
+  EXPECT_EQ(path().reason, "route is clear");
+}
+
+TEST_F(PlannerTest, RefusesATaskWhoseNoFlyAreaIsNoPolygon) {
+  data::CoverageTask t = task();
+  t.points.insert(t.points.end(), {{0, 0}, {9, 0}, {9, 9}, {50, 50}, {60, 50}, {60, 60}});
+  t.rings.push_back({0, 4, 3, false, data::AreaKind::kNoFly});
+  t.rings.push_back({0, 7, 3, true, data::AreaKind::kNoFly});
+  publish(t);
+  publish(plan({Transfer::kEnd}));
+  run(1.0);
+  EXPECT_EQ(path_count(), 0u);
+}
+
+TEST_F(PlannerTest, ComesDownWhereItWouldHoldWhenItsLandingIsShut) {
+  start_mission({Transfer::kEnd});
+  run(12.0);
+  ASSERT_EQ(vehicle.mode, data::VehicleMode::kCovering);
+  data::CoveragePlan down = plan({Transfer::kFDUF, Transfer::kEnd}, 2);
+  down.legs[0].kind = data::LegKind::kReposition;
+  down.legs[0].entry = down.legs[0].exit = {0, 95, 20};
+  publish(sphere(3, {0, 95, 12}, 6));
+  publish(down);
+  run(60.0);
+  EXPECT_TRUE(std::any_of(paths.begin(), paths.end(), [](const data::PathPlan& p) {
+    return p.verdict == data::PathVerdict::kContingency && p.lands;
+  })) << path().reason;
+  EXPECT_EQ(vehicle.mode, data::VehicleMode::kLanded);
 }
 
 TEST_F(PlannerTest, KeepsItsPathWhenAnObstacleAppearsElsewhere) {
