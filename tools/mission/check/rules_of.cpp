@@ -12,6 +12,9 @@ namespace {
 
 /// The robot counts as on a road this near to it.
 constexpr double kOnRoad_m = 2.0;
+/// Off the road it may also drive straight from one place to another over at most off_road_max_m, both within
+/// that of a road: half way it is farther from it.
+constexpr double kStraightShare = 1.5;
 
 P3 point(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
@@ -51,7 +54,7 @@ Status add_robot_ground(const planner::Scenario& scenario, const std::optional<p
   for (const auto& line : ground->roads) rules.roads.push_back(ring_of(line));
   for (const auto& area : ground->closed) rules.no_drive.push_back(rings_of(area));
   if (const auto* roads = std::get_if<planner::RoadSpec>(&charger.ground))
-    rules.off_road_m = roads->off_road_speed_mps > 0.0 ? roads->off_road_max_m : kOnRoad_m;
+    rules.off_road_m = roads->off_road_speed_mps > 0.0 ? kStraightShare * roads->off_road_max_m : kOnRoad_m;
   return {};
 }
 

@@ -105,18 +105,31 @@ void draw_ground(Svg& svg, const View& view, const check::Ground& ground) {
   svg.text(kPad, 16, "ground " + number(low, 0) + " to " + number(high, 0) + " m");
 }
 
+std::vector<Points> rings_at(const View& view, const check::Rings& area) {
+  std::vector<Points> rings;
+  for (const auto& ring : area) {
+    Points points;
+    for (const auto& p : ring) points.push_back(view.at(p.x, p.y));
+    rings.push_back(std::move(points));
+  }
+  return rings;
+}
+
 void draw_fields(Svg& svg, const View& view, const check::Rules& rules) {
   for (const auto& field : rules.fields) {
-    std::vector<Points> rings;
-    for (const auto& ring : field.rings) {
-      Points points;
-      for (const auto& p : ring) points.push_back(view.at(p.x, p.y));
-      rings.push_back(std::move(points));
-    }
+    const std::vector<Points> rings = rings_at(view, field.rings);
     const std::string fill = field.height_m > 15.0 ? "#9cc48a" : "#c8dd9a";
     svg.rings(rings, "fill=\"" + fill + "\" fill-opacity=\"0.65\" stroke=\"#5d7d3f\"",
               "field " + field.id + ", flown " + number(field.height_m) + " m above ground");
   }
+  for (const auto& road : rules.roads)
+    svg.polyline(rings_at(view, {road}).front(), "stroke=\"#8a8172\" stroke-width=\"2\"");
+  for (const auto& area : rules.no_drive)
+    svg.rings(rings_at(view, area), "fill=\"#8a8172\" fill-opacity=\"0.5\" stroke=\"#5c5548\"",
+              "closed to the ground robot");
+  for (const auto& area : rules.no_fly)
+    svg.rings(rings_at(view, area), "fill=\"#c0392b\" fill-opacity=\"0.25\" stroke=\"#c0392b\"",
+              "no-fly area");
 }
 
 std::vector<Points> footprint(const View& view, const check::Solid& solid, const check::P3& at) {
