@@ -31,7 +31,7 @@ std::string demo_recording() { return SWALLOWTAIL_BINARY_DIR "/tests/mission_dem
 std::unique_ptr<Program> start_flight(const FlightOptions& options) {
   std::vector<std::string> command{program_file("swallowtail"),
                                    "mission",
-                                   two_heights(),
+                                   options.scenario,
                                    "--domain",
                                    std::to_string(options.domain),
                                    "--rate",
@@ -63,9 +63,8 @@ std::set<std::string> existing(const std::set<std::string>& files) {
   return left;
 }
 
-Verdict check_recording(const std::string& recording) {
-  Program check(
-      {program_file("swallowtail"), "check", two_heights(), "--recording", recording, "--json", "-q"});
+Verdict check_recording(const std::string& recording, const std::string& scenario) {
+  Program check({program_file("swallowtail"), "check", scenario, "--recording", recording, "--json", "-q"});
   Verdict verdict{.exit_code = check.finish(kCheck), .answer = {}, .kinds = {}};
   verdict.answer = nlohmann::json::parse(check.out(), nullptr, false);
   if (!verdict.answer.is_object()) {

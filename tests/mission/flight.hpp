@@ -25,11 +25,12 @@ struct FlightOptions {
   int domain = 0;
   int rate = 20;
   std::string recording;
+  std::string scenario = two_heights();
   std::vector<std::string> more{};         ///< further options of `swallowtail mission`
   std::vector<std::string> environment{};  ///< NAME=VALUE
 };
 
-/// Starts `swallowtail mission` on two_heights().
+/// Starts `swallowtail mission`.
 std::unique_ptr<Program> start_flight(const FlightOptions& options);
 
 /// Waits until the progress says that the aircraft covers, and returns the mission's five participants.
@@ -47,8 +48,8 @@ struct Verdict {
   std::set<std::string> kinds;  ///< of the violations
 };
 
-/// What `swallowtail check` says of a recording of two_heights().
-Verdict check_recording(const std::string& recording);
+/// What `swallowtail check` says of a recording of the scenario.
+Verdict check_recording(const std::string& recording, const std::string& scenario = two_heights());
 
 /// Expects that none of them runs after `limit` and that a recording was left that can be read and checked
 /// and holds states of the aircraft in flight.
