@@ -6,6 +6,7 @@
 #include <numeric>
 #include <optional>
 
+#include "coverage/fleet/encounters.hpp"
 #include "coverage/fleet/parts.hpp"
 #include "coverage/fleet/starts.hpp"
 #include "coverage/schedule/expand.hpp"
@@ -227,7 +228,9 @@ Result<FleetPlan> plan_fleet(const Task& task, const planner::Terrain& terrain, 
                      std::to_string(whole.sub_cells.size()) + " sub-cells to fly.");
   const double starts_apart_m =
       std::max(fleet.separation.horizontal_m, fleet.separation.landed_m) + kStartSlack_m;
-  Result<std::vector<Task>> tasks = tasks_of_fleet(task, fleet.aircraft, starts_apart_m);
+  Result<std::vector<Task>> tasks =
+      fleet.starts_m.empty() ? tasks_of_fleet(task, fleet.aircraft, starts_apart_m)
+                             : tasks_from_starts(task, fleet.aircraft, starts_apart_m, fleet.starts_m);
   if (!tasks) return tasks.error();
   const Ways ways = ways_of(task, whole.polygons);
   const FlightModel model(task.vehicle, task.battery.model, terrain, &ways);
@@ -253,6 +256,38 @@ Result<FleetPlan> plan_fleet(const Task& task, const planner::Terrain& terrain, 
   if (!separated) return separated.error();
   if (!keeps(out.members, fleet.separation, model))
     return internal_error("Two aircraft of the schedule found come too close.");
+  out.encounters = encounters_of(out.members, fleet.separation.landed_m);
+  return out;
+}
+
+Result<FleetPlan> plan_useful_fleet(const Task& task, const planner::Terrain& terrain,
+                                    const PlanOptions& options, const FleetOptions& fleet) {
+  if (const Status status = validate(fleet); !status) return status.error();
+  FleetOptions asked = fleet;
+  std::optional<Plan> made;
+  if (asked.alone == nullptr) {
+    Result<Plan> alone = plan_coverage(task, terrain, options);
+    if (!alone) return alone.error();
+    asked.alone = &made.emplace(std::move(*alone));
+  }
+  const std::string fleet_text = std::to_string(fleet.aircraft) + " aircraft";
+  std::string why = "there are no more sub-cells to fly";
+  asked.aircraft = static_cast<int>(std::min(asked.alone->sub_cells.size(), std::size_t(fleet.aircraft)));
+  for (; asked.aircraft > 1; --asked.aircraft) {
+    Result<FleetPlan> planned = plan_fleet(task, terrain, options, asked);
+    if (!planned && planned.error().code != Error::Code::kInfeasible) return planned.error();
+    if (planned && planned->makespan_s <= planned->alone_s) {
+      if (asked.aircraft < fleet.aircraft)
+        planned->note = "Of " + fleet_text + " " + std::to_string(asked.aircraft) + " are used: " + why + ".";
+      return planned;
+    }
+    why = planned ? "more would take longer than one alone" : "no plan for more was found";
+  }
+  FleetPlan out;
+  out.members.push_back({task, *asked.alone, 0.0});
+  out.makespan_s = out.alone_s = asked.alone->makespan_s;
+  out.separation = fleet.separation;
+  if (fleet.aircraft > 1) out.note = "Of " + fleet_text + " one is used: " + why + ".";
   return out;
 }
 

@@ -211,5 +211,91 @@ TEST(CommandLine, CoverFilesHoldEveryLegTransferAndTheFlightThere) {
   EXPECT_NE(kml.find("<name>transfer " + std::to_string(legs - 2) + "</name>"), std::string::npos);
 }
 
+/// A rectangle near the equator, degrees a metre or so long.
+std::string plain_field(const test::ScratchFolder& folder, int wide_m, int high_m) {
+  const std::string w = std::to_string(wide_m * 9e-6);
+  const std::string h = std::to_string(high_m * 9e-6);
+  std::ofstream(folder.file("f.wkt"))
+      << "POLYGON((0 0," << w << " 0," << w << " " << h << ",0 " << h << ",0 0))";
+  return folder.file("f.wkt");
+}
+
+bool is_there(const std::string& file) { return std::ifstream(file).good(); }
+
+TEST(CommandLine, EachOfSeveralAircraftHasItsPartAndItsMissionFile) {
+  const test::ScratchFolder folder;
+  std::ofstream(folder.file("field.geojson"))
+      << R"({"type":"Feature","properties":{"id":"big"},"geometry":{"type":"Polygon","coordinates":)"
+         R"([[[5.0,52.0],[5.004,52.0],[5.004,52.0018],[5.0,52.0018],[5.0,52.0]]]}})";
+  const std::string plan = folder.file("m.plan");
+  const Outcome outcome = run({"cover", folder.file("field.geojson"), "--sensor-width", "12", "--aircraft",
+                               "2", "--start", "0,0", "--start", "60,-20", "--json", "-o", plan});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const json answer = json::parse(outcome.out);
+  ASSERT_EQ(answer["aircraft"].size(), 2u);
+  EXPECT_LT(answer["makespan_s"].get<double>(), 0.8 * answer["alone_s"].get<double>());
+  std::size_t first = 0;
+  for (const json& leg : answer["legs"]) first += leg["aircraft"] == 1 ? 1 : 0;
+  EXPECT_EQ(first, answer["aircraft"][0]["sub_cells"].get<std::size_t>());
+  EXPECT_EQ(answer["legs"].size() - first, answer["aircraft"][1]["sub_cells"].get<std::size_t>());
+  EXPECT_FALSE(is_there(plan));
+  for (const char* part : {"m-1.plan", "m-2.plan"}) {
+    std::ifstream stream(folder.file(part));
+    EXPECT_EQ(json::parse(stream, nullptr, false)["fileType"], "Plan") << part;
+  }
+}
+
+TEST(CommandLine, ATinyFieldTakesNoLongerWithSeveralAircraft) {
+  const test::ScratchFolder folder;
+  const std::string field = plain_field(folder, 60, 18);
+  const auto makespan_s = [&](const char* aircraft, std::string& notes) {
+    const Outcome outcome = run({"cover", field, "--sensor-width", "10", "--aircraft", aircraft, "--json"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    const json answer = json::parse(outcome.out);
+    notes = answer["notes"].dump();
+    return answer["makespan_s"].get<double>();
+  };
+  std::string alone_notes;
+  std::string notes;
+  const double alone_s = makespan_s("1", alone_notes);
+  EXPECT_LE(makespan_s("5", notes), alone_s + 1e-6);
+  EXPECT_NE(notes.find("Of 5 aircraft "), std::string::npos) << notes;
+  EXPECT_EQ(alone_notes.find("aircraft"), std::string::npos) << alone_notes;
+}
+
+TEST(CommandLine, StartsThatDoNotFitAreRefused) {
+  const test::ScratchFolder folder;
+  const std::string field = plain_field(folder, 200, 100);
+  const auto refusal = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> words{"cover", field, "--sensor-width", "10"};
+    words.insert(words.end(), more.begin(), more.end());
+    const Outcome outcome = run(words);
+    EXPECT_NE(outcome.exit_code, 0);
+    return outcome.err + outcome.out;
+  };
+  EXPECT_NE(refusal({"--start", "5;5"}).find("EAST,NORTH"), std::string::npos);
+  EXPECT_NE(refusal({"--start", "nan,5"}).find("EAST,NORTH"), std::string::npos);
+  EXPECT_NE(refusal({"--aircraft", "3", "--start", "0,0"}).find("1 for 3 aircraft"), std::string::npos);
+  const std::string near = refusal({"--start", "0,0", "--start", "1,0"});
+  EXPECT_NE(near.find("nearer to each other"), std::string::npos) << near;
+}
+
+TEST(CommandLine, AFieldIsDrawnAsAPngWhereTheProgramForItIs) {
+  const test::ScratchFolder folder;
+  const std::string field = plain_field(folder, 100, 50);
+  const std::string picture = folder.file("plan.png");
+  const Outcome outcome = run({"cover", field, "--sensor-width", "10", "-o", picture});
+  if (outcome.exit_code == 2) {
+    EXPECT_NE(outcome.err.find("librsvg2-bin"), std::string::npos) << outcome.err;
+    EXPECT_FALSE(is_there(picture));
+    return;
+  }
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  std::ifstream stream(picture, std::ios::binary);
+  std::string head(8, ' ');
+  stream.read(head.data(), 8);
+  EXPECT_EQ(head, "\x89PNG\r\n\x1a\n");
+}
+
 }  // namespace
 }  // namespace swallowtail

@@ -1,6 +1,7 @@
 #include "tools/cli/cover_answer.hpp"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <numbers>
 
@@ -10,6 +11,7 @@
 #include "tools/cli/cover_files.hpp"
 #include "tools/cli/geojson.hpp"
 #include "tools/cli/plan_file.hpp"
+#include "tools/drawing/png.hpp"
 
 namespace swallowtail::cli {
 namespace {
@@ -62,15 +64,8 @@ Totals totals_of(const std::vector<Covered>& done) {
 }
 
 const char* name_of(coverage::FieldStatus status) {
-  switch (status) {
-    case coverage::FieldStatus::kPlanned:
-      return "planned";
-    case coverage::FieldStatus::kPartly:
-      return "partly covered";
-    case coverage::FieldStatus::kRefused:
-      return "refused";
-  }
-  return "unknown";
+  constexpr std::array kNames = {"planned", "partly covered", "refused"};
+  return kNames[static_cast<std::size_t>(status)];
 }
 
 /// Where to find the field: its first corner that is a place.
@@ -380,6 +375,9 @@ Answer answer_of(const CoverJob& job, const std::vector<Covered>& done, CoverSta
   answer.files[".geojson"] = [&done] { return plan_geojson(done); };
   answer.files[".kml"] = [&done] { return cover_kml(done); };
   answer.files[".svg"] = [&job, &done] { return cover_svg(job, done); };
+  answer.writers[".png"] = [&job, &done](const std::string& path) {
+    return drawing::write_png(cover_svg(job, done), path);
+  };
   answer.files[".plan"] = [&done] {
     const Result<std::string> plan = cover_qgc_plan(done);
     return plan ? *plan : std::string();

@@ -27,6 +27,8 @@ Status write_files(const std::string& path, const Answer& answer) {
     }
     return {};
   }
+  if (const auto writer = answer.writers.find(extension); writer != answer.writers.end())
+    return writer->second(path);
   const auto file = answer.files.find(extension);
   return write_text(path, file != answer.files.end() ? file->second() : dump(answer.json));
 }

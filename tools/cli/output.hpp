@@ -20,6 +20,8 @@ struct Answer {
   std::map<std::string, std::function<std::string()>> files;
   /// Extensions of which there are several files: name-1.ext, name-2.ext, …
   std::map<std::string, std::vector<std::function<std::string()>>> series{};
+  /// Extensions of files that are not text: what writes the one at a path.
+  std::map<std::string, std::function<Status(const std::string&)>> writers{};
 };
 
 /// Prints and writes the answer as the options ask, and returns `exit`, or kUsage when the output file has an

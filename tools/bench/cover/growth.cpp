@@ -12,8 +12,38 @@
 namespace swallowtail::bench {
 namespace {
 
-/// A size is begun when it would end in time if the time grew with this power.
-constexpr double kExpectedPower = 1.7;
+/// A size is begun when it would end in time if the time grew with the power it grew with last, within limits
+/// and a little more.
+constexpr double kLeastPower = 1.2;
+constexpr double kMostPower = 2.0;
+constexpr double kCautious = 0.2;
+
+double expected_s(const std::vector<std::pair<double, double>>& points, double size) {
+  const auto& [cells, cpu_s] = points.back();
+  double power = kMostPower;
+  if (points.size() > 1) {
+    const auto& [before, before_s] = points[points.size() - 2];
+    power = std::log(cpu_s / before_s) / std::log(cells / before) + kCautious;
+  }
+  return cpu_s * std::pow(size / cells, std::clamp(power, kLeastPower, kMostPower));
+}
+
+/// Strips that make about so many sub-cells: how many a strip makes depends on the seed's heights and
+/// lengths.
+constexpr int kTries = 4;
+constexpr double kNearEnough = 0.03;
+coverage::Task task_of_size(int sub_cells, std::uint64_t seed) {
+  double strips = sub_cells * 2.0 / 3.0;
+  coverage::Task out = banded_task(static_cast<int>(strips), seed);
+  for (int i = 0; i < kTries; ++i) {
+    const std::size_t made = cut_fields(out, planner::Terrain::flat(0.0), {}).sub_cells.size();
+    const double ratio = static_cast<double>(sub_cells) / static_cast<double>(std::max<std::size_t>(made, 1));
+    if (std::abs(ratio - 1.0) < kNearEnough) break;
+    strips = std::max(5.0, strips * ratio);
+    out = banded_task(static_cast<int>(strips), seed);
+  }
+  return out;
+}
 
 }  // namespace
 
@@ -28,18 +58,17 @@ Status measure_growth(CoverBench& bench) {
   for (const int size : sizes) {
     if (size > bench.options.max_sub_cells || cli::interrupted()) break;
     if (!measured.points.empty()) {
-      const auto& [before, cpu_s] = measured.points.back();
-      const double expected_s = cpu_s * std::pow(size / before, kExpectedPower);
-      if (expected_s > left_s) {
+      const double next_s = expected_s(measured.points, size);
+      if (next_s > left_s) {
         bench.report.notes.push_back(fmt::format(
             "Growth ends before {} sub-cells: they would take about {:.0f} s of CPU, and {:.0f} s "
             "are left (--budget).",
-            size, expected_s, std::max(0.0, left_s)));
+            size, next_s, std::max(0.0, left_s)));
         break;
       }
     }
     bench.progress.update(fmt::format("growth, {} sub-cells", size));
-    const Planned planned = plan_timed(banded_task(size * 2 / 3, seed), seed);
+    const Planned planned = plan_timed(task_of_size(size, seed), seed);
     if (!planned.plan) return planned.plan.error();
     const double cpu_s = planned.cpu_ms / 1e3;
     left_s -= cpu_s;
