@@ -39,8 +39,8 @@ struct Incumbent {
 struct Options {
   Mode mode = Mode::kDefault;
   std::uint64_t seed = 1;
-  /// Deadline, request to stop, and limit of iterations (one iteration = one tour taken apart and put
-  /// together = one evaluation). Stopped by iterations or by itself, a run is the same for a seed on every
+  /// Deadline, request to stop, and limit of iterations (one iteration = one kick or one tour taken
+  /// apart and put together = one evaluation). Stopped by iterations or by itself, a run is the same for a seed on every
   /// machine, whatever `threads`.
   StopCondition stop = {};
   TourKind kind = TourKind::kClosed;
@@ -100,14 +100,11 @@ struct Solution {
   std::string reason = "solve was not called.";  ///< a sentence on how it ended
 };
 
-/// Instances without missing arcs: chains of local kicks, local search and choice of vertices around them
-/// under annealing, recombined (see search/chains.hpp); one iteration = one kick. Others: ruin and recreate
-/// over the clusters' order and vertices under simulated annealing, with heuristics chosen adaptively
-/// [SMITH-IMESON] and strings removed around a cluster [CHRISTIAENS-VANDEN-BERGHE]; each promising tour's
-/// vertices are made the best for its order by dynamic programming [FISCHETTI-SALAZAR-TOTH]. Small instances
-/// are then solved exactly over subsets of clusters. Departs from the sources: missing arcs are counted and
-/// minimised before cost instead of weighing much; insertion positions are pruned by vertex-to-cluster
-/// distances; what is fixed (prefix, start, end, openness) is folded into one vertex beforehand. Options that
+/// What degrees, reachability, subsets of clusters or priced walks prove first, where they are sparse or few;
+/// else, and where that proves too little, chains of local kicks, local search and choice of vertices around
+/// them under annealing, recombined (see search/chains.hpp); one iteration = one kick. Missing arcs are
+/// counted and minimised before cost instead of weighing much; what is fixed (prefix, start, end, openness)
+/// is folded into one vertex beforehand. With precedence, see detail/precedence_search.hpp. Options that
 /// validate refuses give kNoneFound with the error's message as reason.
 Solution solve(const Instance& instance, const Options& options);
 

@@ -11,9 +11,9 @@ namespace {
 /// partner.
 class Assignment {
  public:
-  explicit Assignment(const Reduced& reduced)
-      : reduced_(reduced),
-        m_(reduced.cluster_count()),
+  explicit Assignment(const LeastArcs& least_arcs)
+      : least_arcs_(least_arcs),
+        m_(least_arcs.cluster_count()),
         row_price_(size(), 0.0),
         column_price_(size(), 0.0),
         row_of_(size(), 0),
@@ -24,8 +24,7 @@ class Assignment {
       if (!augment(row)) return {kNoArc, 0.0, row - 1};
     }
     double sum = 0.0;
-    for (int column = 1; column <= m_; ++column)
-      sum += reduced_.least_arc(row_of_[at(column)] - 1, column - 1);
+    for (int column = 1; column <= m_; ++column) sum += least_arcs_(row_of_[at(column)] - 1, column - 1);
     return {sum, 0.0, -1};
   }
 
@@ -55,8 +54,7 @@ class Assignment {
     int nearest = -1;
     for (int j = 1; j <= m_; ++j) {
       if (is_done[at(j)] != 0) continue;
-      const double reduced_cost =
-          reduced_.least_arc(row - 1, j - 1) - row_price_[at(row)] - column_price_[at(j)];
+      const double reduced_cost = least_arcs_(row - 1, j - 1) - row_price_[at(row)] - column_price_[at(j)];
       if (reduced_cost < slack[at(j)]) {
         slack[at(j)] = reduced_cost;
         via_[at(j)] = column;
@@ -78,7 +76,7 @@ class Assignment {
     return nearest;
   }
 
-  const Reduced& reduced_;
+  const LeastArcs& least_arcs_;
   int m_;
   std::vector<double> row_price_;
   std::vector<double> column_price_;
@@ -86,16 +84,16 @@ class Assignment {
   std::vector<int> via_;
 };
 
-Bound cheapest_arcs(const Reduced& reduced) {
-  const int m = reduced.cluster_count();
+Bound cheapest_arcs(const LeastArcs& least_arcs) {
+  const int m = least_arcs.cluster_count();
   double out_sum = 0.0;
   double in_sum = 0.0;
   for (int a = 0; a < m; ++a) {
     double out = kNoArc;
     double in = kNoArc;
     for (int b = 0; b < m; ++b) {
-      out = std::min(out, reduced.least_arc(a, b));
-      in = std::min(in, reduced.least_arc(b, a));
+      out = std::min(out, least_arcs(a, b));
+      in = std::min(in, least_arcs(b, a));
     }
     if (std::isinf(out) || std::isinf(in)) return {kNoArc, 0.0, a};
     out_sum += out;
@@ -106,9 +104,9 @@ Bound cheapest_arcs(const Reduced& reduced) {
 
 }  // namespace
 
-Bound lower_bound(const Reduced& reduced) {
-  Bound bound =
-      reduced.cluster_count() <= kMaxAssignedClusters ? Assignment(reduced).solve() : cheapest_arcs(reduced);
+Bound lower_bound(const LeastArcs& least_arcs) {
+  Bound bound = least_arcs.cluster_count() <= kMaxAssignedClusters ? Assignment(least_arcs).solve()
+                                                                   : cheapest_arcs(least_arcs);
   const bool is_integer = std::isinf(bound.value) || bound.value == std::floor(bound.value);
   if (!is_integer) {
     bound.rounding = 2e-10 * bound.value;

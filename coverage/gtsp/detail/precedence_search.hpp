@@ -1,14 +1,38 @@
 #pragma once
 
+#include <cmath>
 #include <optional>
 #include <vector>
 
 #include "coverage/gtsp/detail/incumbents.hpp"
-#include "coverage/gtsp/detail/reduced.hpp"
 #include "coverage/gtsp/solver.hpp"
 #include "planner/base/rng.hpp"
 
 namespace swallowtail::gtsp::detail {
+
+/// Missing arcs first, then cost: how tours that are not yet tours compare.
+struct Score {
+  int missing = 0;
+  double cost = 0.0;
+
+  void add(double arc) {
+    if (std::isinf(arc)) {
+      ++missing;
+    } else {
+      cost += arc;
+    }
+  }
+  void subtract(double arc) {
+    if (std::isinf(arc)) {
+      --missing;
+    } else {
+      cost -= arc;
+    }
+  }
+  friend bool operator<(const Score& a, const Score& b) {
+    return a.missing != b.missing ? a.missing < b.missing : a.cost < b.cost;
+  }
+};
 
 /// Search for tours that keep Options::precedence: clusters are taken out and put back at the cheapest place
 /// their predecessors and successors leave them, under simulated annealing; the best tours' vertices are then

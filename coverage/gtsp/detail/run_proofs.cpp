@@ -27,31 +27,30 @@ bool Run::finish_trivial() {
   return true;
 }
 
-std::string Run::cluster_name(int reduced_cluster) const {
-  const int v = reduced_->original(reduced_->first(reduced_cluster));
-  return v == instance_.vertex_count() ? "the fixed part"
-                                       : "cluster " + std::to_string(instance_.cluster_of(v));
+std::string Run::cluster_name(int folded_cluster) const {
+  const int c = least_arcs_->cluster(folded_cluster);
+  return c == instance_.cluster_count() ? "the fixed part" : "cluster " + std::to_string(c);
 }
 
 /// What degrees, reachability and the bound prove.
 bool Run::finish_unreachable() {
-  const Pruning pruning = instance_.is_complete() ? all_alive(instance_, anchor_) : prune(instance_, anchor_);
-  if (pruning.emptied_cluster >= 0) {
-    finish_infeasible("Cluster " + std::to_string(pruning.emptied_cluster) +
+  pruning_ = instance_.is_complete() ? all_alive(instance_, anchor_) : prune(instance_, anchor_);
+  if (pruning_->emptied_cluster >= 0) {
+    finish_infeasible("Cluster " + std::to_string(pruning_->emptied_cluster) +
                       " has no vertex that arcs lead to and from within any tour.");
     return true;
   }
-  if (pruning.cutting_cluster >= 0) {
-    finish_infeasible("Without cluster " + std::to_string(pruning.cutting_cluster) +
+  if (pruning_->cutting_cluster >= 0) {
+    finish_infeasible("Without cluster " + std::to_string(pruning_->cutting_cluster) +
                       " the others do not hang together: a tour would have to come through it twice.");
     return true;
   }
-  if (pruning.is_anchor_dead) {
+  if (pruning_->is_anchor_dead) {
     finish_infeasible("No arcs lead from or to the fixed part of the tour.");
     return true;
   }
-  reduced_.emplace(instance_, anchor_, pruning);
-  const Bound bound = lower_bound(*reduced_);
+  least_arcs_.emplace(instance_, anchor_, *pruning_);
+  const Bound bound = lower_bound(*least_arcs_);
   if (std::isinf(bound.value)) {
     finish_infeasible("Among the clusters with " + cluster_name(bound.starved_cluster) +
                       ", more have to be left than arcs lead to: not each can have a successor of its own.");
@@ -74,9 +73,8 @@ StopCondition Run::stop_of_proofs() const {
 }
 
 bool Run::finish_by_subsets() {
-  const Pruning pruning = instance_.is_complete() ? all_alive(instance_, anchor_) : prune(instance_, anchor_);
   const ExactAnswer answer =
-      solve_exactly(instance_, anchor_, pruning, {.work = effort_.exact_work}, stop_of_proofs());
+      solve_exactly(instance_, anchor_, *pruning_, {.work = effort_.exact_work}, stop_of_proofs());
   solution_.lower_bound = std::max(solution_.lower_bound, anchor_.inner_cost + answer.lower_bound);
   if (answer.kind == ExactAnswer::Kind::kNoTour) {
     finish_infeasible("All orders of the clusters were considered: each needs a missing arc.");
@@ -92,12 +90,12 @@ bool Run::finish_by_subsets() {
 bool Run::finish_by_walks() {
   constexpr int kMostClusters = 24;
   constexpr double kWalkShare = 0.08;  ///< a step takes about ten times as long
-  if (effort_.exact_work == 0.0 || reduced_->cluster_count() > kMostClusters || options_.stop.reached(0, 0))
+  if (effort_.exact_work == 0.0 || least_arcs_->cluster_count() > kMostClusters ||
+      options_.stop.reached(0, 0))
     return false;
-  const Pruning pruning = instance_.is_complete() ? all_alive(instance_, anchor_) : prune(instance_, anchor_);
   proof::CertificateParams params;
   params.work = kWalkShare * effort_.exact_work;
-  const proof::Certificate certificate = proof::certify(instance_, anchor_, pruning, params, options_.stop);
+  const proof::Certificate certificate = proof::certify(instance_, anchor_, *pruning_, params, options_.stop);
   if (certificate.kind == proof::Certificate::Kind::kNoTour) {
     finish_infeasible(
         "No walk over arcs that are there returns after visiting as many clusters as there are.");

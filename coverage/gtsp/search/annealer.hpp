@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "coverage/gtsp/search/climber.hpp"
+#include "coverage/gtsp/search/gap_kicks.hpp"
 #include "planner/base/rng.hpp"
 
 namespace swallowtail::gtsp::search {
@@ -26,7 +26,11 @@ template <class Costs>
 class Annealer {
  public:
   Annealer(const Problem& problem, Candidates& candidates, Costs costs, Rng rng)
-      : problem_(problem), candidates_(candidates), costs_(costs), rng_(rng) {}
+      : problem_(problem),
+        candidates_(candidates),
+        costs_(costs),
+        rng_(rng),
+        gap_kicks_(problem, candidates, costs) {}
 
   /// Lowers `tour` in place. progress(kicks so far), asked now and then: how much of the run is over, 0 … 1;
   /// at 1 it ends. report(tour, cost, kicks) is called with tours better than all before, and at the end.
@@ -39,14 +43,14 @@ class Annealer {
     climber.tour().forget_changes();
     best_ = {climber.tour().vertices(), climber.cost(), false, false};
     report(best_.tour, best_.cost, std::uint64_t{0});
-    const double mean_arc = static_cast<double>(best_.cost) / climber.tour().size();
+    mean_arc_ = static_cast<double>(without_missing(best_.cost)) / climber.tour().size();
     std::uint64_t kicks = 0;
     double temperature = 0.0;
     for (; kicks < schedule.kicks; ++kicks) {
       if (kicks % kKicksBetweenQuestions == 0) {
         const double done = progress(kicks);
         if (done >= 1.0) break;
-        temperature = mean_arc * schedule.hot * std::pow(schedule.cold / schedule.hot, done);
+        temperature = mean_arc_ * schedule.hot * std::pow(schedule.cold / schedule.hot, done);
       }
       if (kicks % kKicksBetweenReports == 0 && best_.is_news) {
         if (best_.is_current) keep(climber.tour());
@@ -67,6 +71,8 @@ class Annealer {
   static constexpr int kLongestStretch = 50;
   static constexpr int kLongestSwap = 1000;
   static constexpr int kWalk = 3;
+  /// What a missing arc costs a whole tour that would lose it, in mean arcs.
+  static constexpr double kMissingCost = 3.0;
 
   struct Best {
     std::vector<int> tour;  ///< not yet written down while it is the current one
@@ -103,6 +109,7 @@ class Annealer {
   /// Half of the kicks cut the tour at places a few steps along it apart, the others at three that are near
   /// in cost: the former reach far, the latter let parts of the tour that pass each other exchange clusters.
   void kick(Climber<Costs>& climber) {
+    if (climber.cost() >= kMissingArc && gap_kicks_.kick(climber, rng_)) return;
     if (!problem_.is_symmetric()) {
       kick_twice(climber);
       return;
@@ -159,16 +166,23 @@ class Annealer {
     return true;
   }
 
+  /// As long as arcs are missing, the others' cost does not matter.
   bool accepts(Cost cost, Cost before, double temperature) {
     if (cost <= before) return true;
-    return static_cast<double>(cost - before) < -temperature * std::log(1.0 - rng_.uniform());
+    const int missing = missing_in(cost) - missing_in(before);
+    if (before >= kMissingArc) return missing <= 0;
+    const double worse =
+        static_cast<double>(without_missing(cost) - before) + missing * kMissingCost * mean_arc_;
+    return worse < -temperature * std::log(1.0 - rng_.uniform());
   }
 
   const Problem& problem_;
   Candidates& candidates_;
   Costs costs_;
   Rng rng_;
+  GapKicks<Costs> gap_kicks_;
   Best best_;
+  double mean_arc_ = 0.0;
 };
 
 }  // namespace swallowtail::gtsp::search

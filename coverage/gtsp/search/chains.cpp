@@ -9,6 +9,7 @@
 
 #include "coverage/gtsp/search/annealer.hpp"
 #include "coverage/gtsp/search/recombine.hpp"
+#include "coverage/gtsp/search/warm_tour.hpp"
 
 namespace swallowtail::gtsp::search {
 namespace {
@@ -50,7 +51,7 @@ class Rounds {
     std::uint64_t left = setup_.kicks;
     const auto m = static_cast<std::uint64_t>(problem_.cluster_count());
     const bool is_small = problem_.cluster_count() < kFewClusters;
-    std::uint64_t most = (is_small ? kShortKicks : kFirstKicks) * m;
+    std::uint64_t most = (is_kicked() ? is_small ? kShortKicks : kFirstKicks : 1) * m;
     for (int round = 0; round == 0 || (left > 0 && !setup_.stop.reached(0, 0)); ++round) {
       prepare(round, left, most);
       run_round(round);
@@ -68,11 +69,16 @@ class Rounds {
  private:
   static std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
+  /// A few clusters leave a kick no room: they are begun anew from other orders instead.
+  bool is_kicked() const { return problem_.cluster_count() >= kLeastKicked; }
+
   /// The first chain goes on from the best tour as long as that gets better, the other from its own; where
   /// tours are short both begin anew instead.
   void prepare(int round, std::uint64_t left, std::uint64_t most) {
     const bool is_cold = setup_.start.empty();
-    const bool is_restarted = is_cold && problem_.cluster_count() <= kMostRestarted;
+    const bool is_complete = best_cost_ < kMissingArc;
+    const bool is_restarted =
+        is_cold && (is_complete ? problem_.cluster_count() <= kMostRestarted : !is_kicked());
     // Where costs differ each way, the best tour's sense is the one thing that local moves cannot change.
     const bool is_turned = round % 2 == 1 && is_cold && !problem_.is_symmetric();
     for (int i = 0; i < kChains; ++i) {
@@ -100,10 +106,11 @@ class Rounds {
     is_better_ = least < best_cost_;
     if (is_better_) hits_ = 0;
     best_cost_ = std::min(best_cost_, least);
+    if (is_better_) best_ = chains_[chains_[1].cost < chains_[0].cost ? 1 : 0].tour;
+    if (best_cost_ >= kMissingArc) return;
     for (const Chain& chain : chains_) {
       if (chain.is_new && chain.share > 0 && chain.cost == best_cost_) ++hits_;
     }
-    if (is_better_) best_ = chains_[chains_[1].cost < chains_[0].cost ? 1 : 0].tour;
   }
 
   /// Makes the best tour the best that can be put together from all.
@@ -131,7 +138,8 @@ class Rounds {
     return rng_.split(static_cast<std::uint64_t>(round) * kChains + static_cast<std::uint64_t>(chain));
   }
 
-  /// Along the tree over the points, or else in random order: local search does not need more.
+  /// Along the tree over the points, or else in random order: local search does not need more, unless arcs
+  /// are missing; clusters are then put in where they fit, in random order.
   std::vector<int> new_tour(Rng rng) const {
     const int m = problem_.cluster_count();
     std::vector<int> tour;
@@ -148,7 +156,16 @@ class Rounds {
     }
     for (std::size_t i = tour.size(); i > 1; --i)
       std::swap(tour[i - 1], tour[static_cast<std::size_t>(rng.below(i))]);
-    return tour;
+    return problem_.has_missing() ? put_together(tour) : tour;
+  }
+
+  /// The clusters of the tour's vertices, each put in after those before it.
+  std::vector<int> put_together(const std::vector<int>& tour) const {
+    std::vector<int> clusters;
+    for (std::size_t i = 1; i < tour.size(); ++i) clusters.push_back(problem_.cluster_of(tour[i]));
+    std::vector<int> together{tour.front()};
+    insert_all(problem_, clusters, together);
+    return together;
   }
 
   void run_round(int round) {
@@ -185,7 +202,7 @@ class Rounds {
       return std::max(by_work, (now_s() - begin_s) / (chain.end_s - begin_s));
     };
     Annealer<Costs> annealer(problem_, candidates_[at(index)], costs, chain_rng(round, index));
-    const Schedule schedule{chain.share, setup_.start.empty() ? kHot : kWarmHot,
+    const Schedule schedule{is_kicked() ? chain.share : 0, setup_.start.empty() ? kHot : kWarmHot,
                             std::min(kCold, setup_.start.empty() ? kHot : kWarmHot)};
     chain.kicks += annealer.run(chain.tour, schedule, progress,
                                 [&](const std::vector<int>& tour, Cost cost, std::uint64_t kicks) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -61,6 +62,52 @@ class Climber {
     for (const int v : {o, a, b, c, d, e}) wake(problem_.cluster_of(v));
   }
 
+  /// first … last turned round, where costs are the same each way.
+  void turn(int first, int last) {
+    const int o = tour_.vertex(tour_.previous(first));
+    const int a = tour_.vertex(first);
+    const int d = tour_.vertex(last);
+    const int e = tour_.vertex(tour_.next(last));
+    cost_ += costs_(o, d) + costs_(a, e) - costs_(o, a) - costs_(d, e);
+    tour_.turn_shorter(first, last);
+    for (const int v : {o, a, d, e}) wake(problem_.cluster_of(v));
+  }
+
+  /// Another vertex of the cluster at p.
+  void set(int p, int v) {
+    const int o = tour_.vertex(tour_.previous(p));
+    const int w = tour_.vertex(p);
+    const int s = tour_.vertex(tour_.next(p));
+    if (v == w) return;
+    cost_ += costs_(o, v) + costs_(v, s) - costs_(o, w) - costs_(w, s);
+    tour_.set(p, v);
+    for (const int u : {o, v, s}) wake(problem_.cluster_of(u));
+  }
+
+  /// The cluster at p goes to the best place that is not its own, whichever of its vertices that takes.
+  void move_away(int p) {
+    const int c = problem_.cluster_of(tour_.vertex(p));
+    const int end = tour_.previous(p);
+    Cost least = std::numeric_limits<Cost>::max();
+    int place = -1;
+    int vertex = -1;
+    for (int j = tour_.next(p); j != end; j = tour_.next(j)) {
+      const int a = tour_.vertex(j);
+      const int b = tour_.vertex(tour_.next(j));
+      const Cost broken = costs_(a, b);
+      for (int v = problem_.first(c); v < problem_.last(c); ++v) {
+        const Cost added = costs_(a, v) + costs_(v, b) - broken;
+        if (added >= least) continue;
+        least = added;
+        place = j;
+        vertex = v;
+      }
+    }
+    if (place < 0) return;
+    set(p, vertex);
+    swap(p, p, place);
+  }
+
   /// Until nothing helps or interrupted(), asked now and then, says so; what was to be looked at is then
   /// forgotten.
   template <class Interrupted>
@@ -70,6 +117,10 @@ class Climber {
     for (int looks = 1; !queue_.empty() || !touched_.empty(); ++looks) {
       if (queue_.empty()) choose_around_touched();
       if (queue_.empty()) continue;
+      if (tour_.size() < kLeastMoved) {
+        queue_.pop();
+        continue;
+      }
       const int c = queue_.pop();
       const Cost change = problem_.is_symmetric() ? symmetric_.improve(tour_, c, wake_cluster)
                                                   : asymmetric_.improve(tour_, c, wake_cluster);
@@ -91,6 +142,8 @@ class Climber {
   static constexpr int kLooksBetweenQuestions = 1024;
   /// Clusters to each side of a change whose vertices are chosen anew.
   static constexpr int kWindow = 4;
+  /// In shorter tours moves would meet themselves.
+  static constexpr int kLeastMoved = 5;
 
   static std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
@@ -119,7 +172,7 @@ class Climber {
   }
 
   void choose(int first, int length) {
-    if (first < 0) first += tour_.size();
+    while (first < 0) first += tour_.size();
     cost_ += choice_.improve(tour_, first, length, [&](int p, int v) {
       tour_.set(p, v);
       wake(problem_.cluster_of(v));

@@ -16,6 +16,10 @@ using Cost = std::int64_t;
 inline constexpr Cost kMissingArc = Cost{1} << 44;
 inline constexpr std::int32_t kNoWeight = std::numeric_limits<std::int32_t>::max();
 
+/// What a tour of that cost lacks, and what its other arcs cost.
+inline int missing_in(Cost cost) { return static_cast<int>(cost / kMissingArc); }
+inline Cost without_missing(Cost cost) { return cost % kMissingArc; }
+
 /// Costs from a full matrix of 32-bit weights, row = from; kNoWeight = no arc.
 class MatrixCosts {
  public:

@@ -51,14 +51,21 @@ WarmTour usable_part(const Problem& problem, const std::vector<int>& original_to
 std::vector<int> completed(const Problem& problem, std::vector<int> tour) {
   std::vector<char> is_in(at(problem.cluster_count()), 0);
   for (const int v : tour) is_in[at(problem.cluster_of(v))] = 1;
+  std::vector<int> missed;
+  for (int c = 0; c < problem.cluster_count(); ++c) {
+    if (is_in[at(c)] == 0) missed.push_back(c);
+  }
+  insert_all(problem, missed, tour);
+  return tour;
+}
+
+void insert_all(const Problem& problem, const std::vector<int>& clusters, std::vector<int>& tour) {
   problem.with_costs([&](const auto& costs) {
-    for (int c = 0; c < problem.cluster_count(); ++c) {
-      if (is_in[at(c)] != 0) continue;
+    for (const int c : clusters) {
       const Place place = best_place(problem, costs, tour, c);
       tour.insert(tour.begin() + static_cast<std::ptrdiff_t>(place.before) + 1, place.vertex);
     }
   });
-  return tour;
 }
 
 }  // namespace swallowtail::gtsp::search

@@ -18,4 +18,7 @@ WarmTour usable_part(const Problem& problem, const std::vector<int>& original_to
 /// tour).
 std::vector<int> completed(const Problem& problem, std::vector<int> tour);
 
+/// The tour with the clusters put in one after the other, likewise.
+void insert_all(const Problem& problem, const std::vector<int>& clusters, std::vector<int>& tour);
+
 }  // namespace swallowtail::gtsp::search

@@ -1,6 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "coverage/gtsp/check_tour.hpp"
 #include "coverage/gtsp/solver.hpp"
 #include "planner/base/rng.hpp"
@@ -59,6 +61,56 @@ TEST(Sparse, FindsOpenToursOverFewArcs) {
     const auto checked = check_tour(instance, solution.tour, {.returns_to_start = false});
     ASSERT_TRUE(checked.ok()) << seed << ' ' << name_of(solution.status) << ' ' << checked.error().message;
     EXPECT_NEAR(checked.value(), solution.cost, 1e-9);
+    EXPECT_LE(solution.lower_bound, solution.cost);
+  }
+}
+
+/// Points in the plane, `count` clusters of 5 that lie among each other.
+std::vector<Point> points_of_clusters(int count, Rng& rng) {
+  std::vector<Point> points;
+  for (int c = 0; c < count; ++c) {
+    const Point centre{rng.uniform(0.0, 1e4), rng.uniform(0.0, 1e4)};
+    for (int i = 0; i < 5; ++i)
+      points.push_back({centre.x + rng.uniform(-1e3, 1e3), centre.y + rng.uniform(-1e3, 1e3)});
+  }
+  return points;
+}
+
+/// Of the complete instance only the arcs to the `most` nearest vertices of other clusters, both ways.
+Instance nearest_arcs(const Instance& complete, std::size_t most) {
+  Instance::Clusters clusters;
+  for (int c = 0; c < complete.cluster_count(); ++c)
+    clusters.emplace_back(complete.cluster(c).begin(), complete.cluster(c).end());
+  std::vector<ArcInput> arcs;
+  for (int u = 0; u < complete.vertex_count(); ++u) {
+    std::vector<Arc> near;
+    for (const Arc arc : complete.arcs_from(u)) {
+      if (complete.cluster_of(arc.to) != complete.cluster_of(u)) near.push_back(arc);
+    }
+    std::sort(near.begin(), near.end(), [](const Arc& a, const Arc& b) { return a.cost < b.cost; });
+    near.resize(std::min(most, near.size()));
+    for (const Arc& arc : near) {
+      arcs.push_back({u, arc.to, arc.cost});
+      arcs.push_back({arc.to, u, arc.cost});
+    }
+  }
+  return Instance::from_arcs(complete.vertex_count(), std::move(clusters), arcs).value();
+}
+
+/// A tour over a few arcs a vertex costs little more than one over all, and never less than its bound.
+TEST(Sparse, ComesCloseToTheCompleteInstancesTours) {
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    Rng rng(seed);
+    const std::vector<Point> points = points_of_clusters(60, rng);
+    Instance::Clusters clusters(60);
+    for (int v = 0; v < 300; ++v) clusters[static_cast<std::size_t>(v / 5)].push_back(v);
+    const Instance complete = Instance::from_points(clusters, points, Metric::kEuc2D).value();
+    const double best = solve(complete, {.mode = Mode::kFast}).cost;
+    const Instance sparse = nearest_arcs(complete, 20);
+    const Solution solution = solve(sparse, {.mode = Mode::kFast, .seed = seed});
+    const auto checked = check_tour(sparse, solution.tour, {});
+    ASSERT_TRUE(checked.ok()) << seed << ' ' << checked.error().message;
+    EXPECT_LE(solution.cost, 1.05 * best) << seed;
     EXPECT_LE(solution.lower_bound, solution.cost);
   }
 }
