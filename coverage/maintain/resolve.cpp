@@ -15,6 +15,7 @@ constexpr double kKnownAllowance = 0.05;
 /// Of a flight under way less can still go wrong.
 constexpr double kAloftAllowance = 0.02;
 constexpr double kAboveGround_m = 1.0;
+constexpr double kStopsToChange = 2.0;
 /// Of what a flight may take: where climbing and coming down take more, cutting strips does not help.
 constexpr double kMostEndsShare = 0.9;
 
@@ -153,8 +154,9 @@ bool PlanKeeper::solve_in_flight(const std::string& reason, Otherwise otherwise)
   if (whole.legs.empty()) return false;
   const ScheduleStart start = start_in_air();
   RestParams params = rest_params();
-  // Landing early costs little, landing late the reserve.
-  params.stops.battery.reserve += landing_spare();
+  // Landing early costs little, landing late the reserve; and a path that changes on the way has stops more.
+  params.stops.battery.reserve +=
+      landing_spare() + kStopsToChange * model().stop(start.position_m.z()).energy;
   const Vec3 entry_m = whole.legs.front().entry_m;
   if (covering) whole.legs.front().entry_m = start.position_m;
   // First: what is under way is finished, then it lands where it does best.
