@@ -188,7 +188,7 @@ LivePlan from_wire(const data::CoveragePlan& in, const Task& task, const planner
   LivePlan out;
   out.revision = in.revision;
   out.reason = in.reason;
-  out.legs_done = 0;  // counted anew from VehicleState
+  out.legs_done = in.legs_done;
   out.end_s = in.makespan_s;
   out.area_m2 = in.field_area_m2;
   out.complete = in.complete;

@@ -119,7 +119,7 @@ void CoverageParticipant::take_task() {
     status_->set_health(task_ ? data::Health::kReady : data::Health::kDegraded, good.error().message);
     return;
   }
-  if (keeper_ && keeper_->plan().legs_done > 0) return change_task(std::move(*task), *wanted);
+  if (keeper_ && keeper_->has_begun()) return change_task(std::move(*task), *wanted);
   task_ = std::move(*task);
   needs_plan_ = true;
   inbox_->vehicle_id.store(task_->vehicle_id);

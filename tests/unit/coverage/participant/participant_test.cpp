@@ -228,5 +228,45 @@ TEST_F(CoverageParticipantTest, AfterARestartThePlanIsAboveTheOneThatIsFlown) {
   EXPECT_FALSE(data::validate(plans_.front()));
 }
 
+TEST_F(CoverageParticipantTest, AfterARestartItGoesOnWithThePlanFromTheWire) {
+  ASSERT_TRUE(tasks_->publish(square_task()));
+  step();
+  ASSERT_TRUE(vehicles_->publish(aloft(40.0, plans_.front().legs[1].entry, 1)));
+  step();
+  const data::CoveragePlan before = plans_.back();
+  coverage_.reset();
+  start();
+  step(3);
+  ASSERT_FALSE(plans_.empty());
+  EXPECT_EQ(plans_.back().revision, before.revision);
+  EXPECT_EQ(plans_.back().legs, before.legs) << "nothing has happened since";
+  ASSERT_TRUE(vehicles_->publish(aloft(60.0, before.legs[2].entry, 2)));
+  ASSERT_TRUE(batteries_->publish({.vehicle_id = 5, .time_s = 60.0, .energy = 30.0, .capacity = 120.0}));
+  step(3);
+  const data::CoveragePlan& after = plans_.back();
+  EXPECT_GT(after.revision, before.revision);
+  EXPECT_EQ(after.legs_done, 2U);
+  EXPECT_EQ(after.legs[1].exit, before.legs[1].exit);
+  EXPECT_NE(after.reason.find("energy"), std::string::npos) << after.reason;
+}
+
+TEST_F(CoverageParticipantTest, AnotherAircraftFliesWhatTheFirstOneLeft) {
+  ASSERT_TRUE(tasks_->publish(square_task()));
+  step();
+  ASSERT_TRUE(vehicles_->publish(aloft(40.0, plans_.front().legs[2].entry, 2)));
+  step();
+  data::VehicleState other = aloft(90.0, square_task().start, 0);
+  other.mode = data::VehicleMode::kLanded;
+  ASSERT_TRUE(vehicles_->publish(other));
+  step();
+  ASSERT_GE(plans_.size(), 2U);
+  const data::CoveragePlan& after = plans_.back();
+  EXPECT_NE(after.reason.find("another aircraft"), std::string::npos) << after.reason;
+  EXPECT_EQ(after.legs_done, 0U);
+  EXPECT_LE(after.legs.size(), plans_.front().legs.size() - 2);
+  EXPECT_FALSE(data::validate(after));
+  EXPECT_FALSE(data::validate(charger_plans_.back()));
+}
+
 }  // namespace
 }  // namespace swallowtail::coverage
