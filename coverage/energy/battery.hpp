@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 
 #include "coverage/energy/charging.hpp"
@@ -24,6 +25,14 @@ struct Battery {
   ChargingCurve charging() const { return {charge_s_per_unit, capacity, taper_from, taper_end_rate}; }
 };
 
+/// The ground robot's own, full when it starts and whenever it leaves its depot, which is where it starts.
+struct RobotBattery {
+  double capacity = std::numeric_limits<double>::infinity();  ///< units; infinite: not limited
+  double drive_per_s = 0.0;                                   ///< units for each second that it drives
+  double per_charged = 1.0;  ///< units for each that the aircraft is charged with
+  double refill_s = 0.0;     ///< at the depot
+};
+
 /// The ground robot.
 struct Charger {
   std::uint32_t id = 1;
@@ -32,6 +41,7 @@ struct Charger {
   double landing_s = 5.0;
   Vec3 start_m = Vec3::Zero();
   std::shared_ptr<const GroundTravel> travel{};  ///< none: straight over open ground at its speed
+  RobotBattery battery{};
 };
 
 /// Seconds from one place to another; infinite when the robot cannot get there.
@@ -63,6 +73,11 @@ inline Status validate(const Charger& charger) {
   if (!is_non_negative(charger.take_off_s) || !is_non_negative(charger.landing_s))
     return bad_input("The charger's handling times must not be negative.");
   if (!is_finite(charger.start_m)) return bad_input("The charger's start must be finite.");
+  const RobotBattery& battery = charger.battery;
+  if (!(battery.capacity > 0.0)) return bad_input("The charger's own battery must hold more than nothing.");
+  if (!is_non_negative(battery.drive_per_s) || !is_non_negative(battery.per_charged) ||
+      !is_non_negative(battery.refill_s))
+    return bad_input("What the charger's own battery gives and the time to refill it must not be negative.");
   return {};
 }
 

@@ -28,7 +28,15 @@ class Track {
  public:
   explicit Track(const Member& member) : at_m_(member.task.charger.start_m.head<2>()) {
     const Charger& charger = member.task.charger;
-    for (const Rendezvous& meeting : member.plan.rendezvous) {
+    const Vec3 depot_m = charger.start_m;
+    auto visit = member.plan.depot_visits.begin();
+    for (std::size_t i = 0; i < member.plan.rendezvous.size(); ++i) {
+      const Rendezvous& meeting = member.plan.rendezvous[i];
+      if (visit != member.plan.depot_visits.end() && visit->before == i) {
+        drive(visit->bends_m, depot_m, charger);
+        stand(visit->leaves_s);
+        ++visit;
+      }
       drive(meeting.robot_bends_m, meeting.site_m, charger);
       if (meeting.carry) {
         stand(meeting.land_s + charger.landing_s);

@@ -10,6 +10,7 @@
 #include "coverage/fleet/parts.hpp"
 #include "coverage/fleet/starts.hpp"
 #include "coverage/schedule/expand.hpp"
+#include "coverage/schedule/robot_trips.hpp"
 #include "planner/base/checks.hpp"
 
 namespace swallowtail::coverage {
@@ -248,7 +249,8 @@ Result<FleetPlan> plan_fleet(const Task& task, const planner::Terrain& terrain, 
     for (std::size_t k = 0; k < starts.size(); ++k) {
       std::optional<Plan> plan =
           plan_of(whole, way_of(parts->visits[k], way[k]), starts[k], stop_params(task, options), links);
-      if (plan) members.push_back({(*tasks)[k], std::move(*plan), 0.0});
+      if (plan && limit_robot((*tasks)[k], model, *plan))
+        members.push_back({(*tasks)[k], std::move(*plan), 0.0});
     }
     return members;
   };

@@ -190,6 +190,11 @@ void delay(Plan& plan, const Trace& trace, std::span<const double> delays_s) {
     meeting.arrive_by_s += delays_s[i];
     meeting.depart_s += delays_s[i + 1];
   }
+  for (DepotVisit& visit : plan.depot_visits) {
+    visit.arrives_s += delays_s[visit.before];
+    visit.leaves_s += delays_s[visit.before];
+  }
+  if (plan.robot_home_s > 0.0) plan.robot_home_s += delays_s.back();
   plan.take_off_s += delays_s.front();
   plan.makespan_s += delays_s.back();
   plan.cost = plan.makespan_s;

@@ -7,6 +7,7 @@
 #include "coverage/field/places.hpp"
 #include "coverage/schedule/expand.hpp"
 #include "coverage/schedule/order.hpp"
+#include "coverage/schedule/robot_trips.hpp"
 #include "planner/base/checks.hpp"
 
 namespace swallowtail::coverage {
@@ -189,6 +190,7 @@ Result<Plan> plan_coverage(const Task& task, const planner::Terrain& terrain, co
   plan.legs = std::move(expansion.legs);
   plan.rendezvous = std::move(expansion.rendezvous);
   add_totals(*schedule, start, plan);
+  if (const Status status = limit_robot(task, model, plan); !status) return status.error();
   plan.statistics = order->statistics;
   if (options.clock != nullptr) plan.statistics.wall_s = options.clock->now_s() - began;
   return plan;

@@ -52,6 +52,15 @@ struct Rendezvous {
   std::vector<Vec3> carry_bends_m{};
 };
 
+/// The robot fetches new energy at its depot before it drives to a rendezvous, whose robot_bends_m then begin
+/// there.
+struct DepotVisit {
+  std::size_t before = 0;  ///< index of that rendezvous
+  double arrives_s = 0.0;
+  double leaves_s = 0.0;
+  std::vector<Vec3> bends_m{};  ///< on the way to the depot
+};
+
 struct FieldReport {
   std::uint32_t id = 0;
   std::string name;
@@ -97,9 +106,12 @@ struct Plan {
   std::vector<Vec3> approach_m;   ///< where the flight from the start to the first leg bends, in order
   std::vector<Leg> legs;
   std::vector<Rendezvous> rendezvous;
-  double cost = 0.0;        ///< what was minimised: the makespan
-  double makespan_s = 0.0;  ///< from the start to the last landing
-  double take_off_s = 0.0;  ///< the first
+  std::vector<DepotVisit> depot_visits{};  ///< in order; only with a robot whose battery is limited
+  double robot_home_s = 0.0;               ///< such a robot is back at its depot; 0: it need not be
+  std::vector<Vec3> home_bends_m{};        ///< on its way there
+  double cost = 0.0;                       ///< what was minimised: the makespan
+  double makespan_s = 0.0;                 ///< from the start to the last landing
+  double take_off_s = 0.0;                 ///< the first
   double flight_m = 0.0;
   double flight_s = 0.0;
   int recharges = 0;

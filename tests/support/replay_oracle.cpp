@@ -66,6 +66,8 @@ class Replay {
   std::vector<Vec3> way_to_next(std::size_t i) const;
   const Rendezvous* meeting(std::uint32_t id);
   void meet(std::uint32_t id, const Vec3& below);
+  void visit_depot(const std::string& name);
+  void drive_robot_home();
   void transfer(std::size_t i);
   void check_totals();
 
@@ -81,6 +83,7 @@ class Replay {
   double least_landed_ = 0.0;
   int recharges_ = 0;
   std::size_t meetings_ = 0;
+  std::size_t visits_ = 0;
 };
 
 /// Every sub-cell once, from one end to the other.
@@ -160,6 +163,7 @@ void Replay::meet(std::uint32_t id, const Vec3& below) {
     fail(name + " is not on the ground below its leg's end");
   land(name);
   claim(name + " landing", r.land_s, flight_.time_s, question_.time_tolerance_s);
+  visit_depot(name);
   const double arrives = robot_.free_s + robot_.drive_to(r.robot_bends_m, r.site_m, verdict_.faults);
   at_least(name + ", robot's arrival", r.robot_arrives_s, arrives - question_.time_tolerance_s);
   const double wait = std::max(0.0, r.robot_arrives_s - flight_.time_s);
@@ -171,6 +175,7 @@ void Replay::meet(std::uint32_t id, const Vec3& below) {
   claim(name + " energy from", r.energy_from, held, question_.energy_tolerance);
   at_least(name + ", charge", r.charge_to, held - question_.energy_tolerance);
   at_least(name + ", capacity", task_.battery.capacity, r.charge_to);
+  robot_.give(std::max(0.0, r.charge_to - held));
   if (r.charge_to > r.energy_from + 1e-9) ++recharges_;
   double together = charging_s(task_, held, r.charge_to);
   if (r.carry) together = std::max(together, robot_.drive_to(r.carry_bends_m, r.carry_to_m, verdict_.faults));
@@ -181,6 +186,30 @@ void Replay::meet(std::uint32_t id, const Vec3& below) {
   const Vec3 from = r.carry ? r.carry_to_m : r.site_m;
   flight_.stand_at(from, r.depart_s, r.charge_to);
   take_off();
+}
+
+/// Before the meeting just found, if the plan says so.
+void Replay::visit_depot(const std::string& name) {
+  if (visits_ >= plan_.depot_visits.size() || plan_.depot_visits[visits_].before + 1 != meetings_) return;
+  const coverage::DepotVisit& visit = plan_.depot_visits[visits_++];
+  const double there_s =
+      robot_.free_s + robot_.drive_to(visit.bends_m, task_.charger.start_m, verdict_.faults);
+  at_least(name + ", the robot's energy when back at its depot", robot_.held + kSlack, 0.0);
+  at_least(name + ", the robot's arrival at its depot", visit.arrives_s,
+           there_s - question_.time_tolerance_s);
+  at_least(name + ", the robot's departure from its depot", visit.leaves_s,
+           there_s + task_.charger.battery.refill_s - question_.time_tolerance_s);
+  robot_.free_s = visit.leaves_s;
+  robot_.held = task_.charger.battery.capacity;
+}
+
+void Replay::drive_robot_home() {
+  if (visits_ != plan_.depot_visits.size()) fail("the robot visits its depot before no rendezvous");
+  if (std::isinf(task_.charger.battery.capacity) || plan_.rendezvous.empty()) return;
+  const double home_s =
+      robot_.free_s + robot_.drive_to(plan_.home_bends_m, task_.charger.start_m, verdict_.faults);
+  at_least("the robot's energy when it is home", robot_.held + kSlack, 0.0);
+  at_least("the robot's arrival at home", plan_.robot_home_s, home_s - question_.time_tolerance_s);
 }
 
 void Replay::transfer(std::size_t i) {
@@ -237,6 +266,7 @@ void Replay::fly_all() {
   if (plan_.legs.back().transfer != Transfer::kEnd) fail("the last leg does not end the plan");
   land("the last landing");
   verdict_.end_s = flight_.time_s;
+  drive_robot_home();
   if (meetings_ != plan_.rendezvous.size()) fail("there are rendezvous that no transfer asks for");
   at_least("the least energy aloft", flight_.least_energy + question_.energy_tolerance,
            task_.battery.reserve);

@@ -40,7 +40,7 @@ struct ReplayVerdict {
 /// - a claimed time or energy of a leg or rendezvous that the replay does not find;
 /// - a rendezvous that is not below its leg's end, too short for handling, charging and carrying, or charging
 ///   beyond capacity; one that no transfer asks for, or none where one does;
-/// - a robot that would have to be faster than it is;
+/// - a robot that would have to be faster than it is, or whose own battery does not last to its depot;
 /// - a sub-cell not flown exactly once from end to end; a field not covered at its height; a line outside its
 ///   field; a flight over a hole or no-fly area that it did not begin or end in;
 /// - totals (cost, makespan, lengths, times, energies, waiting, recharges) that are not the sums of the

@@ -106,6 +106,7 @@ double ReplayRobot::drive_to(const std::vector<Vec3>& bends_m, const Vec3& place
   }
   time += piece_s(place_m, faults);
   at_m_ = place_m;
+  held -= time * task_.charger.battery.drive_per_s;
   return time;
 }
 

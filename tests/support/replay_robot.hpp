@@ -25,13 +25,21 @@ struct ReplayRoads {
 class ReplayRobot {
  public:
   ReplayRobot(const coverage::Task& task, const ReplayRoads& roads, const GroundAt& ground)
-      : task_(task), roads_(roads), ground_(ground), at_m_(task.charger.start_m) {}
+      : held(task.charger.battery.capacity),
+        task_(task),
+        roads_(roads),
+        ground_(ground),
+        at_m_(task.charger.start_m) {}
 
   /// Drives from bend to bend to a place as fast as it can; tells how long it takes, and where it may not
   /// drive.
   double drive_to(const std::vector<Vec3>& bends_m, const Vec3& place_m, std::vector<std::string>& faults);
 
+  /// Energy that is given to the aircraft.
+  void give(double energy) { held -= energy * task_.charger.battery.per_charged; }
+
   double free_s = 0.0;
+  double held = std::numeric_limits<double>::infinity();  ///< of its own battery
 
  private:
   double piece_s(const Vec3& to_m, std::vector<std::string>& faults) const;

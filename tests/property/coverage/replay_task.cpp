@@ -134,6 +134,15 @@ ReplayTask random_replay_task(std::uint64_t seed) {
   }
   set_ground(rng, out);
   out.options.seed = seed;
+  // Drawn apart: the tasks are else as they were.
+  Rng robot(seed * 6151);
+  if (robot.uniform() < 0.3) {
+    RobotBattery& own = task.charger.battery;
+    own.capacity = task.battery.capacity * robot.uniform(1.0, 5.0);
+    own.drive_per_s = robot.uniform(0.0, 0.3);
+    own.per_charged = robot.uniform(0.8, 1.3);
+    own.refill_s = robot.uniform(0.0, 120.0);
+  }
   out.options.energy_margin = rng.uniform(0.0, 0.15);
   out.options.energy_spare = rng.uniform(0.0, 0.04);
   out.options.lead_s = rng.uniform(0.0, 2.0);
