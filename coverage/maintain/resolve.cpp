@@ -12,6 +12,8 @@ namespace {
 constexpr double kDelay_s = 30.0;
 /// What flights differ by once consumption is known.
 constexpr double kKnownAllowance = 0.05;
+/// With less than this a charge is raised before the aircraft leaves.
+constexpr double kLeastAllowance = 0.03;
 /// Of a flight under way less can still go wrong.
 constexpr double kAloftAllowance = 0.02;
 constexpr double kAboveGround_m = 1.0;
@@ -274,9 +276,12 @@ bool PlanKeeper::top_up_charge() {
   ScheduleStart start;
   start.position_m = meeting.carry ? meeting.carry_to_m : meeting.site_m;
   const StopParams stops = rest_params().stops;
-  const double needs =
-      task_.battery.reserve + stops.spare + flight_to(next, start).energy * stops.energy_factor;
-  if (needs <= meeting.charge_to + 1.0) return false;
+  const double flight = flight_to(next, start).energy;
+  // What the plan allowed for is no news.
+  if (task_.battery.reserve + landing_spare() + flight * (1.0 + kLeastAllowance) <= meeting.charge_to)
+    return false;
+  const double needs = task_.battery.reserve + stops.spare + flight * stops.energy_factor;
+  if (needs <= meeting.charge_to) return false;
   if (needs > task_.battery.capacity)
     return may_retry() && solve_docked("consumption is higher than predicted");
   // The sortie's consumption stays as predicted: both its ends are raised together.
