@@ -1,8 +1,10 @@
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "planner/participant/planner_participant.hpp"
 #include "planner/path/certifier.hpp"
@@ -33,22 +35,55 @@ std::optional<Vec3> landing_near(const Vec3& place, double time_s, const Clearan
   return std::nullopt;
 }
 
+double hold_begins_s(const TimedPath& path) {
+  std::size_t i = path.size() - 1;
+  while (i > 0 && path[i].phase == Phase::kHold) --i;
+  return path[i].time_s;
+}
+
+/// The path as a route, without the hold at its end.
+std::vector<RoutePoint> flown_to_hold(const TimedPath& path) {
+  std::vector<RoutePoint> route;
+  for (const TimedWaypoint& w : path) {
+    if (w.phase != Phase::kHold) route.push_back({w.position_m, w.phase, w.leg_index, 0.0});
+  }
+  return route;
+}
+
 }  // namespace
 
-/// A plan that asks for a landing only does so because the energy runs out: where the landing is shut it
-/// comes down near where it would hold, and the robot comes there.
+/// How long the energy that the plan predicts for the end of a leg lasts aloft above the reserve; for ever
+/// where it predicts none.
+double PlannerParticipant::spare_s(std::uint32_t leg) const {
+  double energy = 0.0;
+  double time_s = 0.0;
+  for (const data::Leg& flown : coverage_->legs) {
+    energy += flown.energy_before - flown.energy_after;
+    time_s += flown.end_s - flown.start_s;
+  }
+  if (leg >= coverage_->legs.size() || !(energy > 0.0) || !(time_s > 0.0))
+    return std::numeric_limits<double>::infinity();
+  return (coverage_->legs[leg].energy_after - task_->battery.reserve) * time_s / energy;
+}
+
+/// Where the landing that a plan asks for is shut and the energy does not last for a hold, the aircraft comes
+/// down near where it would hold, and the robot comes there.
 ReplanReport PlannerParticipant::plan_or_land(ReplanRequest request) {
   const auto stop = [this] {
     return StopCondition{.clock = &clock_, .deadline_s = clock_.now_s() + 1e-3 * options_.budget_ms};
   };
   ReplanReport report = replanner_->plan(keeper_.world(), request, stop());
-  if (report.verdict != Verdict::kContingency || report.lands || !only_lands(request.route)) return report;
+  const bool is_shut = request.route.back().phase == Phase::kLanding && report.goal_is_blocked;
+  if (report.verdict != Verdict::kContingency || report.lands || !is_shut || !coverage_ || !task_)
+    return report;
   const std::uint32_t leg = request.route.back().leg_index;
   const TimedWaypoint& hold = report.path.back();
+  if (hold.time_s - hold_begins_s(report.path) <= spare_s(leg)) return report;
   const auto above = landing_near(hold.position_m, hold.time_s, ClearanceQuery(keeper_.world()), limits_);
   if (!above) return report;
-  request.route = {{*above, Phase::kTransfer, leg, 0.0},
-                   {ground_below(*above, keeper_.world_now()->terrain()), Phase::kLanding, leg, 0.0}};
+  request.route = flown_to_hold(report.path);
+  request.route.push_back({*above, Phase::kTransfer, leg, 0.0});
+  request.route.push_back({ground_below(*above, keeper_.world_now()->terrain()), Phase::kLanding, leg, 0.0});
   ReplanReport down = replanner_->plan(keeper_.world(), request, stop());
   if (down.verdict != Verdict::kCertified) return report;
   down.verdict = Verdict::kContingency;

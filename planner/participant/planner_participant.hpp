@@ -104,6 +104,7 @@ class PlannerParticipant {
   Status plan_from_ground(double now_s);
   Status replan(double now_s);
   ReplanReport plan_or_land(ReplanRequest request);
+  double spare_s(std::uint32_t leg) const;
   Status publish(const ReplanReport& report, double now_s, double replan_ms);
   void fail(const ReplanReport& report);
 

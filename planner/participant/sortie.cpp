@@ -208,12 +208,6 @@ std::vector<RoutePoint> goal_route(const data::Goal& goal, const RouteStart& sta
   return route;
 }
 
-bool only_lands(const std::vector<RoutePoint>& route) {
-  return !route.empty() && route.back().phase == Phase::kLanding &&
-         std::none_of(route.begin(), route.end(),
-                      [](const RoutePoint& p) { return p.phase == Phase::kCover; });
-}
-
 bool same_ahead(const data::CoveragePlan& a, const data::CoveragePlan& b, std::uint32_t leg) {
   if (leg > 0 && (a.legs.size() < leg || b.legs.size() < leg || !same_way(a.legs[leg - 1], b.legs[leg - 1])))
     return false;

@@ -37,9 +37,6 @@ std::vector<RoutePoint> sortie_route(const data::CoveragePlan& plan, const Sorti
                                      const RouteStart& start, const Terrain& terrain,
                                      const VehicleLimits& limits);
 
-/// Whether nothing is left to be done on a route but to land at its end.
-bool only_lands(const std::vector<RoutePoint>& route);
-
 /// Whether both plans ask for the same flight from `leg` to the end of its sortie.
 bool same_ahead(const data::CoveragePlan& a, const data::CoveragePlan& b, std::uint32_t leg);
 

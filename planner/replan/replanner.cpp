@@ -84,6 +84,7 @@ struct Replanner::Impl {
     report.detours = repair.detours();
     report.waits = repair.waits();
     report.skipped_cover_m = repair.skipped_cover_m();
+    report.goal_is_blocked = repair.goal_is_blocked();
     if (repaired) {
       // A way round that begins at the start may have taken the first stop's place, or need one.
       std::vector<RoutePoint> stopped = with_first_stop(request, timed.route, limits);

@@ -33,6 +33,7 @@ struct ReplanReport {
   int waits = 0;
   double skipped_cover_m = 0.0;  ///< of strips left out by detours
   bool lands = false;            ///< the path ends with a landing
+  bool goal_is_blocked = false;  ///< the route's end is shut as far as is known
   std::uint64_t evaluations = 0;
   double wall_ms = 0.0;  ///< 0 without a clock
 };

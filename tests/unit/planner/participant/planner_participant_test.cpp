@@ -148,6 +148,10 @@ TEST_F(PlannerTest, ComesDownWhereItWouldHoldWhenItsLandingIsShut) {
   data::CoveragePlan down = plan({Transfer::kFDUF, Transfer::kEnd}, 2);
   down.legs[0].kind = data::LegKind::kReposition;
   down.legs[0].entry = down.legs[0].exit = {0, 95, 20};
+  down.legs[0].energy_before = 30.0;
+  down.legs[0].energy_after = 27.0;
+  down.legs[0].end_s = 10.0;
+  down.legs[1].start_s = down.legs[1].end_s = 10.0;
   publish(sphere(3, {0, 95, 12}, 6));
   publish(down);
   run(60.0);
