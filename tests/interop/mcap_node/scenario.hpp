@@ -76,7 +76,11 @@ inline data::CoveragePlan coverage_plan(std::uint32_t base) {
     p.legs[i].transfer = data::Transfer::kFF;
     p.legs[i].start_s = i == 0 ? 0.0 : 10.0 * (i - 1);
     p.legs[i].end_s = 10.0 * i;
+    p.legs[i].first_bend = 2 * i;
+    p.legs[i].bend_count = 2;
   }
+  p.bends.resize(data::kMaxBends);
+  for (std::uint32_t i = 0; i < p.bends.size(); ++i) p.bends[i] = {0.5 * i, -0.5 * i, 25.0};
   return p;
 }
 
@@ -99,6 +103,15 @@ inline data::CoverageTask coverage_task(std::uint32_t base) {
   t.fields = {{1, 20.0}};
   t.rings = {{0, 0, 4, false}};
   t.points = {{0, 0}, {100, 0}, {100, 50}, {0, 50}};
+  t.rings.push_back({0, 0, 3, false, data::AreaKind::kNoFly});
+  t.roads = {{1, 3}};
+  t.rules = {.overlap = 0.25, .has_sweep = true, .sweep_rad = 1.5, .headland = data::HeadlandUse::kFly};
+  t.battery.taper_from = 0.75;
+  t.battery.model.is_multirotor = true;
+  t.battery.model.multirotor.rotors = 6;
+  t.battery.model.wind_north_mps = -2.5;
+  t.charger.ground.kind = data::GroundKind::kRoads;
+  t.charger.ground.area_max = {7, 8};
   t.seed = 18446744073709551615u;
   t.has_terrain = true;
   return t;
@@ -108,7 +121,8 @@ inline data::ChargerPlan charger_plan(std::uint32_t base) {
   data::ChargerPlan p;
   p.charger_id = base;
   p.speed_mps = 1.6;
-  p.rendezvous = {{5, {1, 2, 0}, 100.0, 150.0, 500.0, true, {3, 4, 0}}};
+  p.rendezvous = {{5, {1, 2, 0}, 100.0, 150.0, 500.0, true, {3, 4, 0}, 0, 1, 1.5, 1, 2, 1.25}};
+  p.bends = {{5, 6, 7}, {8, 9, 10}, {11, 12, 13}};
   return p;
 }
 
