@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -33,6 +34,11 @@ std::optional<Vec3> landing_near(const Vec3& place, double time_s, const Clearan
     }
   }
   return std::nullopt;
+}
+
+bool has_cover(const std::vector<RoutePoint>& route) {
+  return std::any_of(route.begin(), route.end(),
+                     [](const RoutePoint& p) { return p.phase == Phase::kCover; });
 }
 
 double hold_begins_s(const TimedPath& path) {
@@ -73,7 +79,8 @@ ReplanReport PlannerParticipant::plan_or_land(ReplanRequest request) {
     return StopCondition{.clock = &clock_, .deadline_s = clock_.now_s() + 1e-3 * options_.budget_ms};
   };
   ReplanReport report = replanner_->plan(keeper_.world(), request, stop());
-  const bool is_shut = request.route.back().phase == Phase::kLanding && report.goal_is_blocked;
+  const bool is_shut =
+      request.route.back().phase == Phase::kLanding && (report.goal_is_blocked || !has_cover(request.route));
   if (report.verdict != Verdict::kContingency || report.lands || !is_shut || !coverage_ || !task_)
     return report;
   const std::uint32_t leg = request.route.back().leg_index;
