@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "planner/base/checks.hpp"
+
 namespace swallowtail::coverage {
 namespace {
 
@@ -229,8 +231,15 @@ void PlanKeeper::follow_progress(const AircraftView& vehicle) {
   track_->add(vehicle.time_s, vehicle.position_m);
 }
 
+bool PlanKeeper::refuse() {
+  ++refused_;
+  return false;
+}
+
 bool PlanKeeper::on_vehicle(const AircraftView& vehicle) {
-  if (vehicle_ && vehicle.time_s < vehicle_->time_s) return false;
+  const bool finite =
+      is_finite(vehicle.time_s) && is_finite(vehicle.position_m) && is_finite(vehicle.velocity_mps);
+  if (!finite || (vehicle_ && vehicle.time_s < vehicle_->time_s)) return refuse();
   if (vehicle.legs_done < (vehicle_ ? vehicle_->legs_done : plan_.legs_done))
     return replace_aircraft(vehicle);
   const std::optional<AircraftView> before = vehicle_;
@@ -293,18 +302,20 @@ bool PlanKeeper::tell_given_up(bool changed) {
 }
 
 bool PlanKeeper::on_battery(const BatteryView& battery) {
-  if (battery_ && battery.time_s < battery_->time_s) return false;
+  const bool finite =
+      is_finite(battery.time_s) && is_non_negative(battery.energy) && is_non_negative(battery.capacity);
+  if (!finite || (battery_ && battery.time_s < battery_->time_s)) return refuse();
   if (battery_) learn_consumption(*battery_, battery);
   battery_ = battery;
-  // An aged battery holds less than the task says; one that holds more is not trusted.
-  if (battery.capacity > task_.battery.reserve)
-    task_.battery.capacity = std::min(task_.battery.capacity, battery.capacity);
-  if (!vehicle_) return false;
+  const bool shrunk = review_capacity(battery.capacity);
+  if (!vehicle_ || shrunk) return shrunk;
   if (vehicle_->on_ground()) return review_ground();
   return review_flight();
 }
 
 bool PlanKeeper::on_robot(const RobotView& robot) {
+  const bool finite = is_finite(robot.time_s) && is_finite(robot.position_m);
+  if (!finite || (robot_ && robot.time_s < robot_->time_s)) return refuse();
   robot_ = robot;
   if (!vehicle_ || plan_.rendezvous.empty() || robot.has_vehicle || vehicle_->mode == AircraftMode::kDocked)
     return false;

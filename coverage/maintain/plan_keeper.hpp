@@ -67,7 +67,8 @@ class PlanKeeper {
   /// Goes on with a plan made before. Cuts the task's fields once more, to know what transfers go round.
   PlanKeeper(Task task, planner::Terrain terrain, const KeeperParams& params, LivePlan plan);
 
-  /// Each takes news and tells whether the plan was changed: plan() then has a new revision and a reason.
+  /// Each takes news and tells whether the plan was changed: plan() then has a new revision and a reason. A
+  /// state that is not finite, or older than the newest, is refused and changes nothing.
   bool on_vehicle(const AircraftView& vehicle);
   bool on_battery(const BatteryView& battery);
   bool on_robot(const RobotView& robot);
@@ -92,6 +93,8 @@ class PlanKeeper {
   std::optional<double> energy_at_next_landing() const;
   /// Metres of strips given up after their tries.
   double unflown_m() const { return unflown_m_; }
+  /// States refused so far.
+  std::uint64_t refused() const { return refused_; }
   /// Whether everything is flown or ahead in the plan.
   bool complete() const { return plan_.complete && gaps_.empty(); }
 
@@ -114,11 +117,13 @@ class PlanKeeper {
   RestParams rest_params() const;
   double landing_spare() const;
 
+  bool refuse();
   void follow_progress(const AircraftView& vehicle);
   void finish_leg(std::size_t leg);
   bool tell_given_up(bool changed);
   void pass_meeting(const Vec3& from_m);
   bool may_retry();
+  bool review_capacity(double capacity);
   bool review_flight();
   void note_flight(const AircraftView& before, const AircraftView& now);
   void learn_consumption(const BatteryView& before, const BatteryView& now);
@@ -177,6 +182,7 @@ class PlanKeeper {
   std::uint32_t next_id_ = 0;
   double unflown_m_ = 0.0;
   std::string given_up_;  ///< not told yet
+  std::uint64_t refused_ = 0;
   double landed_since_s_ = 0.0;
   bool told_short_ = false;    ///< in this flight
   bool told_overdue_ = false;  ///< in this stay on the ground

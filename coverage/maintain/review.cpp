@@ -50,6 +50,28 @@ void PlanKeeper::learn_consumption(const BatteryView& before, const BatteryView&
   all_aloft_ = true;
 }
 
+/// An aged battery holds less than the task says; one that holds more is not trusted. Charges that it cannot
+/// take any more are planned anew.
+bool PlanKeeper::review_capacity(double capacity) {
+  if (capacity <= task_.battery.reserve || capacity >= task_.battery.capacity) return false;
+  task_.battery.capacity = capacity;
+  bool is_short = false;
+  for (Rendezvous& meeting : plan_.rendezvous) {
+    is_short = is_short || meeting.charge_to > capacity;
+    meeting.charge_to = std::min(meeting.charge_to, capacity);
+  }
+  if (!is_short || !has_flown_ || lands_at_once_) return false;
+  const std::string reason = "the battery holds " + std::to_string(std::lround(capacity)) + " only";
+  bool solved = false;
+  if (!vehicle_->on_ground()) {
+    solved = vehicle_->mode != AircraftMode::kLanding && solve_in_flight(reason, Otherwise::kGoOn);
+  } else if (vehicle_->mode == AircraftMode::kDocked || at_meeting(vehicle_->position_m)) {
+    solved = solve_docked(reason);
+  }
+  if (!solved) note_revision(reason);
+  return true;
+}
+
 PlanKeeper::DownNow PlanKeeper::down_now() const {
   const FlightModel flight = model();
   const Vec3 ahead = point_ahead();
