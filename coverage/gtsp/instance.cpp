@@ -130,15 +130,26 @@ Result<Instance> Instance::from_matrix(int vertex_count, Clusters clusters, std:
     return bad_input("The matrix has " + std::to_string(costs.size()) + " entries; " +
                      std::to_string(vertex_count) + " vertices need " + std::to_string(n * n) + ".");
   }
+  bool are_weights = true;
   for (int from = 0; from < vertex_count; ++from) {
     for (int to = 0; to < vertex_count; ++to) {
       double& cost = costs[index(from) * n + index(to)];
       if (from == to) cost = kNoArc;
-      if (cost == kNoArc) continue;
+      if (cost == kNoArc) {
+        if (instance.cluster_of(from) != instance.cluster_of(to)) instance.is_matrix_lacking_ = true;
+        continue;
+      }
       if (Status s = check_cost(from, to, cost); !s) return s.error();
+      are_weights = are_weights && cost <= kMaxWeight && cost == std::floor(cost);
     }
   }
-  instance.matrix_ = std::move(costs);
+  if (!are_weights) {
+    instance.matrix_ = std::move(costs);
+    return instance;
+  }
+  instance.weights_.reserve(costs.size());
+  for (const double cost : costs)
+    instance.weights_.push_back(cost == kNoArc ? kNoWeight : static_cast<std::int32_t>(cost));
   return instance;
 }
 
@@ -170,7 +181,7 @@ double Instance::point_cost(int from, int to) const {
 
 double Instance::cost(int from, int to) const {
   if (from == to) return kNoArc;
-  if (kind_ == Kind::kMatrix) return matrix_[index(from) * cluster_of_.size() + index(to)];
+  if (kind_ == Kind::kMatrix) return matrix_cost(index(from) * cluster_of_.size() + index(to));
   if (kind_ == Kind::kPoints) return point_cost(from, to);
   const auto begin = arcs_.begin() + static_cast<std::ptrdiff_t>(first_arc_[index(from)]);
   const auto end = arcs_.begin() + static_cast<std::ptrdiff_t>(first_arc_[index(from) + 1]);
@@ -202,7 +213,7 @@ void Instance::ArcRange::Iterator::skip_missing() {
     if (index_ == index(from_)) ++index_;
     return;
   }
-  while (index_ < n && instance_->matrix_[index(from_) * n + index_] == kNoArc) ++index_;
+  while (index_ < n && instance_->matrix_cost(index(from_) * n + index_) == kNoArc) ++index_;
 }
 
 }  // namespace swallowtail::gtsp

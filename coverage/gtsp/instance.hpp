@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <span>
 #include <vector>
@@ -16,8 +17,13 @@ inline constexpr double kNoArc = std::numeric_limits<double>::infinity();
 /// in a double.
 inline constexpr double kMaxArcCost = 1e12;
 
-inline constexpr int kMaxVertices = 200'000;      ///< of any instance
-inline constexpr int kMaxMatrixVertices = 6'000;  ///< of an instance given as a full matrix (288 MB)
+/// Whole costs up to this are held in 32 bits, a missing arc as kNoWeight.
+inline constexpr std::int32_t kMaxWeight = 1 << 30;
+inline constexpr std::int32_t kNoWeight = std::numeric_limits<std::int32_t>::max();
+
+inline constexpr int kMaxVertices = 200'000;  ///< of any instance
+inline constexpr int kMaxMatrixVertices =
+    6'000;  ///< of an instance given as a full matrix (288 MB, half of it where costs are weights)
 
 /// One end of an arc and its cost.
 struct Arc {
@@ -86,8 +92,10 @@ class Instance {
   bool is_complete() const { return kind_ == Kind::kPoints; }
   bool is_sparse() const { return kind_ == Kind::kArcs; }
 
-  /// n×n, row = from, kNoArc = no arc (and on the diagonal); empty unless given as a matrix.
-  std::span<const double> matrix() const { return matrix_; }
+  /// n×n, row = from; empty unless given as a matrix of whole costs up to kMaxWeight.
+  std::span<const std::int32_t> weights() const { return weights_; }
+  /// Whether an arc between clusters is missing; of an instance given as a matrix.
+  bool is_matrix_lacking() const { return is_matrix_lacking_; }
   /// As the metric's distance wants them (radians on a sphere); empty unless given as points.
   std::span<const Point> points() const { return points_; }
   /// Of the points.
@@ -99,13 +107,19 @@ class Instance {
   explicit Instance(Kind kind) : kind_(kind) {}
   Status set_clusters(int vertex_count, Clusters clusters);
   double point_cost(int from, int to) const;
+  double matrix_cost(std::size_t entry) const {
+    if (weights_.empty()) return matrix_[entry];
+    return weights_[entry] == kNoWeight ? kNoArc : weights_[entry];
+  }
 
   Kind kind_;
   Clusters clusters_;
   std::vector<int> cluster_of_;
   std::vector<std::size_t> first_arc_;  // n + 1
   std::vector<Arc> arcs_;
-  std::vector<double> matrix_;
+  std::vector<double> matrix_;         // one of these two
+  std::vector<std::int32_t> weights_;  //
+  bool is_matrix_lacking_ = false;
   std::vector<Point> points_;
   Metric metric_ = Metric::kEuc2D;
 };

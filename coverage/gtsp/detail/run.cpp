@@ -11,6 +11,8 @@ namespace {
 constexpr int kMostProvedFirst = 24;
 /// A warm search has so much less work to do.
 constexpr double kWarmShare = 8.0;
+/// Where costs differ each way, more chains agree on what is not the best.
+constexpr int kAsymmetricHits = 2;
 /// Beyond it the bound's tables would take longer than the search and more memory.
 constexpr int kMaxBoundVertices = 3'000;
 
@@ -69,7 +71,7 @@ search::ChainSetup Run::chain_setup(const search::Problem& problem) {
   search::ChainSetup setup;
   setup.seed = options_.seed;
   setup.threads = options_.threads;
-  setup.enough_hits = effort_.enough_hits;
+  setup.enough_hits = (problem.is_symmetric() ? 1 : kAsymmetricHits) * effort_.enough_hits;
   setup.stop = options_.stop;
   const double natural = effort_.kicks_per_cluster * problem.cluster_count();
   setup.kicks = static_cast<std::uint64_t>(options_.warm_tour ? natural / kWarmShare : natural);

@@ -84,6 +84,7 @@ class Rounds {
     for (int i = 0; i < kChains; ++i) {
       Chain& chain = chains_[at(i)];
       chain.share = std::min(most, i == 0 ? left - left / 2 : left / 2);
+      if (!is_cold && round == 0 && i > 0) chain.share = 0;  // the first has then all of a short deadline
       if (round == 0) {
         chain.is_new = is_cold;
       } else {
@@ -172,12 +173,13 @@ class Rounds {
     const double begin_s = now_s();
     const bool is_timed = setup_.stop.clock != nullptr && std::isfinite(setup_.stop.deadline_s);
     const auto run_one = [&](int i) {
-      if (round > 0 && chains_[at(i)].share == 0) return;
+      if ((round > 0 || i > 0) && chains_[at(i)].share == 0) return;
       problem_.with_costs([&](const auto& costs) { run_chain(round, i, costs); });
     };
     const bool is_parallel = setup_.threads > 1;
-    chains_[0].end_s =
-        is_timed && !is_parallel ? (begin_s + setup_.stop.deadline_s) / 2.0 : setup_.stop.deadline_s;
+    chains_[0].end_s = is_timed && !is_parallel && chains_[1].share > 0
+                           ? (begin_s + setup_.stop.deadline_s) / 2.0
+                           : setup_.stop.deadline_s;
     chains_[1].end_s = setup_.stop.deadline_s;
     if (is_parallel) {
       const std::jthread other([&] { run_one(1); });

@@ -141,7 +141,7 @@ class Climber {
  private:
   static constexpr int kLooksBetweenQuestions = 1024;
   /// Clusters to each side of a change whose vertices are chosen anew.
-  static constexpr int kWindow = 4;
+  static constexpr int kWindow = 3;
   /// In shorter tours moves would meet themselves.
   static constexpr int kLeastMoved = 5;
 

@@ -14,7 +14,6 @@ using Cost = std::int64_t;
 
 /// A missing arc counts as much as no sum of arcs does: tours compare by missing arcs first, then by cost.
 inline constexpr Cost kMissingArc = Cost{1} << 44;
-inline constexpr std::int32_t kNoWeight = std::numeric_limits<std::int32_t>::max();
 
 /// What a tour of that cost lacks, and what its other arcs cost.
 inline int missing_in(Cost cost) { return static_cast<int>(cost / kMissingArc); }

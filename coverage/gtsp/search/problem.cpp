@@ -6,8 +6,6 @@
 namespace swallowtail::gtsp::search {
 namespace {
 
-constexpr double kMaxWeight = 1 << 30;
-
 /// Whether all distances fit into 30 bits.
 bool are_distances_short(const Instance& instance) {
   if (instance.metric() == Metric::kGeo || instance.metric() == Metric::kGeom) return true;
@@ -26,13 +24,19 @@ Problem::Problem(const Instance& instance, const detail::Anchor& anchor, const d
     for (const int v : original_) points_.push_back(instance.points()[at(v)]);
     return;
   }
-  weights_.assign(original_.size() * original_.size(), kNoWeight);
-  if (is_plain && instance.is_complete() && are_distances_short(instance)) {
-    fill_from_points(instance);
-  } else if (!is_plain || instance.matrix().empty() || !fill_from_matrix(instance)) {
-    fill_from_arcs(instance, anchor);
+  if (is_plain && !instance.weights().empty()) {
+    take_weights(instance);
+  } else {
+    own_weights_.assign(original_.size() * original_.size(), kNoWeight);
+    if (is_plain && instance.is_complete() && are_distances_short(instance)) {
+      fill_from_points(instance);
+    } else {
+      fill_from_arcs(instance, anchor);
+    }
+    weights_ = own_weights_;
+    has_missing_ = lacks_arcs();
   }
-  finish_matrix();
+  is_symmetric_ = looks_symmetric();
 }
 
 void Problem::number_vertices(const Instance& instance, const detail::Pruning& pruning) {
@@ -63,28 +67,28 @@ void Problem::fill_from_points(const Instance& instance) {
     for (int u = 0; u < size(); ++u) {
       for (int v = 0; v < u; ++v) {
         const auto weight = static_cast<std::int32_t>(costs(u, v));
-        weights_[at(u) * n + at(v)] = weight;
-        weights_[at(v) * n + at(u)] = weight;
+        own_weights_[at(u) * n + at(v)] = weight;
+        own_weights_[at(v) * n + at(u)] = weight;
       }
     }
   });
   points_.clear();
 }
 
-bool Problem::fill_from_matrix(const Instance& instance) {
+/// The instance's own where they can be shared, else in this order.
+void Problem::take_weights(const Instance& instance) {
   const std::size_t n = original_.size();
-  bool is_whole = true;
-  for (std::size_t u = 0; u < n && is_whole; ++u) {
-    const double* const from = instance.matrix().data() + at(original_[u]) * at(instance.vertex_count());
-    std::int32_t* const row = weights_.data() + u * n;
-    for (std::size_t v = 0; v < n; ++v) {
-      const double cost = from[original_[v]];
-      if (cost == kNoArc) continue;
-      row[v] = cost <= kMaxWeight ? static_cast<std::int32_t>(cost) : 0;
-      is_whole = is_whole && row[v] == cost;
-    }
+  weights_ = instance.weights();
+  has_missing_ = instance.is_matrix_lacking();
+  const bool is_whole = n == at(instance.vertex_count());
+  if (is_whole && std::is_sorted(original_.begin(), original_.end())) return;
+  own_weights_.reserve(n * n);
+  for (const int u : original_) {
+    const std::int32_t* const row = instance.weights().data() + at(u) * at(instance.vertex_count());
+    for (const int v : original_) own_weights_.push_back(row[v]);
   }
-  return is_whole;
+  weights_ = own_weights_;
+  if (!is_whole) has_missing_ = lacks_arcs();
 }
 
 void Problem::fill_from_arcs(const Instance& instance, const detail::Anchor& anchor) {
@@ -97,9 +101,8 @@ void Problem::fill_from_arcs(const Instance& instance, const detail::Anchor& anc
     });
   }
   const double scale = (is_whole && largest <= kMaxWeight) || largest == 0.0 ? 1.0 : kMaxWeight / largest;
-  std::fill(weights_.begin(), weights_.end(), kNoWeight);
   for (int u = 0; u < size(); ++u) {
-    std::int32_t* const row = weights_.data() + at(u) * original_.size();
+    std::int32_t* const row = own_weights_.data() + at(u) * original_.size();
     for_each_arc(instance, anchor, original(u), [&](int original_to, double cost) {
       const int v = numbered(original_to);
       if (v >= 0) row[v] = static_cast<std::int32_t>(std::lround(cost * scale));
@@ -107,27 +110,29 @@ void Problem::fill_from_arcs(const Instance& instance, const detail::Anchor& anc
   }
 }
 
-/// No arcs within clusters; then what is missing, and symmetry.
-void Problem::finish_matrix() {
-  const std::size_t n = original_.size();
-  std::ptrdiff_t within = 0;
-  for (int c = 0; c < cluster_count(); ++c) {
-    within += std::ptrdiff_t{cluster_size(c)} * cluster_size(c);
-    for (int u = first(c); u < last(c); ++u) {
-      std::int32_t* const row = weights_.data() + at(u) * n;
-      std::fill(row + first(c), row + last(c), kNoWeight);
-    }
+bool Problem::lacks_arcs() const {
+  for (int u = 0; u < size(); ++u) {
+    const auto row = weights_.subspan(at(u) * original_.size(), original_.size());
+    const auto within = row.subspan(at(first(cluster_of(u))), at(cluster_size(cluster_of(u))));
+    if (std::count(row.begin(), row.end(), kNoWeight) > std::count(within.begin(), within.end(), kNoWeight))
+      return true;
   }
-  has_missing_ = std::count(weights_.begin(), weights_.end(), kNoWeight) > within;
+  return false;
+}
+
+bool Problem::looks_symmetric() const {
+  const std::size_t n = original_.size();
   constexpr std::size_t kBlock = 32;
-  for (std::size_t u0 = 0; u0 < n && is_symmetric_; u0 += kBlock) {
-    for (std::size_t v0 = 0; v0 <= u0 && is_symmetric_; v0 += kBlock) {
+  for (std::size_t u0 = 0; u0 < n; u0 += kBlock) {
+    for (std::size_t v0 = 0; v0 <= u0; v0 += kBlock) {
       for (std::size_t u = u0; u < std::min(n, u0 + kBlock); ++u) {
-        for (std::size_t v = v0; v < std::min(n, v0 + kBlock); ++v)
-          is_symmetric_ = is_symmetric_ && weights_[u * n + v] == weights_[v * n + u];
+        for (std::size_t v = v0; v < std::min(n, v0 + kBlock); ++v) {
+          if (weights_[u * n + v] != weights_[v * n + u] && cluster_of_[u] != cluster_of_[v]) return false;
+        }
       }
     }
   }
+  return true;
 }
 
 }  // namespace swallowtail::gtsp::search

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "coverage/gtsp/detail/anchor.hpp"
@@ -18,11 +19,14 @@ struct Near {
 /// What the search works on: the folded instance (see Anchor) without its hopeless vertices, numbered so that
 /// each cluster's vertices are consecutive, neighbours in space near each other in memory. Costs are whole
 /// numbers: the instance's own if they are and fit, else rounded to 2^-30 of the largest; found tours are
-/// summed again on the instance. Held as a matrix of 32 bits, or, for points beyond kMaxPointMatrix vertices,
-/// computed when asked for.
+/// summed again on the instance. Held as a matrix of 32 bits, the instance's own where that is numbered
+/// likewise (it must outlive the problem), or, for points beyond kMaxPointMatrix vertices, computed when
+/// asked for.
 class Problem {
  public:
   Problem(const Instance& instance, const detail::Anchor& anchor, const detail::Pruning& pruning);
+  Problem(const Problem&) = delete;
+  Problem& operator=(const Problem&) = delete;
 
   int size() const { return static_cast<int>(original_.size()); }
   int cluster_count() const { return static_cast<int>(first_.size()) - 1; }
@@ -42,7 +46,8 @@ class Problem {
   /// Empty unless costs are computed from them.
   const std::vector<Point>& points() const { return points_; }
   Metric metric() const { return metric_; }
-  const std::vector<std::int32_t>& weights() const { return weights_; }
+  /// Row = from; what it says within clusters means nothing. Empty when there are points.
+  std::span<const std::int32_t> weights() const { return weights_; }
 
   /// Calls use(costs) with the costs in their own type.
   template <class Use>
@@ -69,10 +74,10 @@ class Problem {
   static std::size_t at(int i) { return static_cast<std::size_t>(i); }
   void number_vertices(const Instance& instance, const detail::Pruning& pruning);
   void fill_from_points(const Instance& instance);
-  /// False when an entry is no whole number of 30 bits.
-  bool fill_from_matrix(const Instance& instance);
+  void take_weights(const Instance& instance);
   void fill_from_arcs(const Instance& instance, const detail::Anchor& anchor);
-  void finish_matrix();
+  bool lacks_arcs() const;
+  bool looks_symmetric() const;
 
   std::vector<int> first_;
   std::vector<int> cluster_of_;
@@ -81,7 +86,8 @@ class Problem {
   int anchor_ = -1;
   bool is_symmetric_ = true;
   bool has_missing_ = false;
-  std::vector<std::int32_t> weights_;
+  std::vector<std::int32_t> own_weights_;
+  std::span<const std::int32_t> weights_;
   std::vector<Point> points_;
   Metric metric_ = Metric::kEuc2D;
 };

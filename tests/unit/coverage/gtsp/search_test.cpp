@@ -77,7 +77,14 @@ TEST_P(Search, ClimbsToWhatItSaysAndBackAgain) {
       const std::vector<int> before = climber.tour().vertices();
       const Cost cost = climber.cost();
       const int first = static_cast<int>(rng.below(static_cast<std::uint64_t>(climber.tour().size())));
-      climber.swap(first, (first + 1) % climber.tour().size(), (first + 3) % climber.tour().size());
+      const int last = (first + 3) % climber.tour().size();
+      if (kick % 3 == 0) {
+        climber.swap(first, (first + 1) % climber.tour().size(), last);
+      } else if (kick % 3 == 1) {
+        climber.move_away(first);
+      } else if (problem.is_symmetric()) {
+        climber.turn(first, last);
+      }
       climber.climb();
       EXPECT_EQ(cost_of(instance, problem, climber.tour().vertices()), static_cast<double>(climber.cost()))
           << seed;
@@ -177,6 +184,35 @@ TEST(Chains, FindMuchTheSameFromEverySeedWhereCostsDifferEachWay) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Both, Search, testing::Values(Symmetry::kBothWaysAlike, Symmetry::kNone));
+
+/// Whole costs in clusters that follow one another are not copied; in any other order they are the same.
+TEST(SearchProblem, SharesTheInstancesWeightsWhereItCan) {
+  Rng rng(3);
+  constexpr int kVertices = 12;
+  std::vector<double> costs(kVertices * kVertices);
+  for (double& cost : costs) cost = std::floor(rng.uniform(0.0, 100.0));
+  costs[5] = kNoArc;
+  Instance::Clusters together(4);
+  Instance::Clusters apart(4);
+  for (int v = 0; v < kVertices; ++v) {
+    together[static_cast<std::size_t>(v / 3)].push_back(v);
+    apart[static_cast<std::size_t>(v % 4)].push_back(v);
+  }
+  for (const Instance::Clusters& clusters : {together, apart}) {
+    const Instance instance = Instance::from_matrix(kVertices, clusters, costs).value();
+    const Problem problem = problem_of(instance);
+    EXPECT_EQ(problem.weights().data() == instance.weights().data(), clusters == together);
+    EXPECT_TRUE(problem.has_missing());
+    for (int u = 0; u < kVertices; ++u) {
+      for (int v = 0; v < kVertices; ++v) {
+        const double cost = instance.cost(problem.original(u), problem.original(v));
+        if (problem.cluster_of(u) == problem.cluster_of(v)) continue;
+        const std::int32_t weight = problem.weights()[static_cast<std::size_t>(u * kVertices + v)];
+        EXPECT_EQ(weight == kNoWeight ? kNoArc : weight, cost);
+      }
+    }
+  }
+}
 
 TEST(SearchProblem, ComputesLargeInstancesFromPoints) {
   Rng rng(5);
