@@ -108,8 +108,6 @@ std::string metres(double value) {
 }
 
 Status check_height(const Field& field, const Terrain& terrain, const CutParams& params) {
-  if (!is_positive(field.height_m))
-    return bad_input("Its height above ground must be a positive number of metres.");
   const double tolerance = terrain.is_flat() ? 0.0 : params.height_tolerance_m;
   if (field.height_m - tolerance < params.clearance_m) {
     return bad_input("Its height of " + metres(field.height_m) + " above ground, less a tolerance of " +
@@ -265,7 +263,9 @@ FieldCut cut_field(const Field& field, const Terrain& terrain, const CutParams& 
   FieldCut out;
   out.id = field.id;
   out.name = field.name;
-  Status status = validate(params);
+  Status status = is_positive(field.height_m)
+                      ? validate(params)
+                      : bad_input("Its height above ground must be a positive number of metres.");
   if (status.ok()) status = cut(field, terrain, params, out);
   if (!status.ok()) {
     out.status = FieldStatus::kRefused;

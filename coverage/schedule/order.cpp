@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 
 namespace swallowtail::coverage {
 namespace {
@@ -51,6 +52,7 @@ class OrderSearch {
   std::vector<RouteLeg> route_of(const std::vector<Visit>& visits) const;
   void offer(const char* from, std::vector<Visit> visits);
   bool needs_recharge();
+  std::string why_none() const;
   void solve_graph(int levels, const char* from);
   gtsp::Solution solve(const LayeredGraph& graph, bool warm) const;
   void search_flight();
@@ -160,6 +162,30 @@ void OrderSearch::compare_with_full_graph(const GraphParams& params) {
     statistics_.full_graph_gap_percent = 100.0 * (statistics_.gtsp_cost / solution.cost - 1.0);
 }
 
+/// The robot where it reaches too little, else the battery.
+std::string OrderSearch::why_none() const {
+  const auto is_reached = [&](const Vec3& site) {
+    return std::isfinite(drive_s(task_.charger, task_.charger.start_m, site));
+  };
+  const SubCell* missed = nullptr;
+  std::size_t reached = 0;
+  for (const SubCell& cell : cells_) {
+    const bool is_met = is_reached(cell.alpha_m) || is_reached(cell.beta_m);
+    reached += is_met ? 1 : 0;
+    if (!is_met && missed == nullptr) missed = &cell;
+  }
+  const std::string battery = "one battery of " + std::to_string(task_.battery.capacity) + " units";
+  if (missed != nullptr) {
+    return "from " + place_text(task_.charger.start_m.head<2>()) + " the ground robot reaches " +
+           (reached > 0 ? std::to_string(reached) + " of " : std::string("none of ")) +
+           std::to_string(cells_.size()) + " sub-cells, not the one at " +
+           place_text(missed->alpha_m.head<2>()) + ", and " + battery +
+           " does not do for what lies between its meetings.";
+  }
+  return battery + " does not reach the first sub-cell from " + place_text(start_.position_m.head<2>()) +
+         " and a landing with the reserve.";
+}
+
 Result<Order> OrderSearch::run() {
   const int n = static_cast<int>(cells_.size());
   offer("strip order", boustrophedon_order(cells_, start_.position_m));
@@ -179,9 +205,7 @@ Result<Order> OrderSearch::run() {
     }
   }
   if (best_.empty()) {
-    return infeasible("No order of the sub-cells can be flown: the battery, " +
-                      std::to_string(start_.energy) +
-                      " at the start, does not reach the first sub-cell and a landing with the reserve.");
+    return infeasible("No order of the sub-cells can be flown: " + why_none());
   }
   ImproveParams params;
   params.stops = stop_params(task_, options_);

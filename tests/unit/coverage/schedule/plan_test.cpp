@@ -4,10 +4,15 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <limits>
+#include <string>
+
+#include "coverage/ground/road_network.hpp"
 
 namespace swallowtail::coverage {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 
 Field rectangle(std::uint32_t id, double x, double height_m) {
@@ -59,6 +64,80 @@ TEST(Plan, BadTasksAreRefusedWithTheRule) {
   task.battery.capacity = 30.0;
   EXPECT_THAT(why(task), HasSubstr("battery"));
   EXPECT_THAT(why(Task{}), HasSubstr("no field"));
+}
+
+/// A meadow that one battery does not cover.
+Task meadow() {
+  Task task;
+  task.fields = {{7, "meadow", {{{0, 0}, {300, 0}, {300, 150}, {0, 150}}, {}}, 20.0}};
+  task.battery.capacity = 150.0;
+  task.battery.reserve = 10.0;
+  return task;
+}
+
+std::string refusal(const Task& task) {
+  const auto plan = plan_coverage(task, planner::Terrain::flat(0.0), {});
+  if (!plan.ok()) return plan.error().message;
+  return plan->status == PlanStatus::kComplete ? "planned" : plan->fields.back().reason;
+}
+
+TEST(Plan, ARobotThatReachesNothingIsNamedWithItsPlace) {
+  RoadParams far;
+  far.lines = {{Vec2(5000, 5000), Vec2(5100, 5000)}};
+  far.speed_mps = 2.0;
+  Task task = meadow();
+  EXPECT_EQ(refusal(task), "planned");
+  task.charger.start_m = Vec3(3.0, 4.0, 0.0);
+  task.charger.travel = *RoadNetwork::make(far);
+  EXPECT_THAT(refusal(task), HasSubstr("from (3.00, 4.00) m the ground robot reaches none of"));
+  task.battery.capacity = 2000.0;
+  EXPECT_EQ(refusal(task), "planned") << "one battery does: nobody needs the robot";
+}
+
+TEST(Plan, AStartTooFarForTheBatteryIsNamedWithItsPlace) {
+  Task task = meadow();
+  task.start_m = task.charger.start_m = Vec3(20000, 0, 0);
+  EXPECT_THAT(refusal(task), HasSubstr("does not reach the first sub-cell from (20000.00, 0.00) m"));
+}
+
+TEST(Plan, ABadFieldIsNamedWithItsPlaceAndTheRule) {
+  constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+  const auto spoilt = [](const auto& spoil) {
+    Task task = meadow();
+    spoil(task);
+    return refusal(task);
+  };
+  const auto expect = [&](const auto& spoil, const char* rule) {
+    EXPECT_THAT(spoilt(spoil), AllOf(HasSubstr("Field 'meadow' near"), HasSubstr(rule)));
+  };
+  expect([&](Task& t) { t.fields[0].polygon.outline[1].x() = kNaN; }, "Vertex 1 of the outline");
+  expect(
+      [&](Task& t) {
+        t.fields[0].polygon.holes = {{{10, 10}, {20, kNaN}, {20, 20}}};
+      },
+      "Vertex 1 of hole 0");
+  expect([&](Task& t) { t.fields[0].height_m = kNaN; }, "height above ground must be a positive number");
+  expect([](Task& t) { t.sensor_width_m = 400.0; }, "sensor is wider (400 m)");
+  expect([](Task& t) { t.rules.ceiling_m = 15.0; }, "above the legal ceiling of 15 m");
+  expect([](Task& t) { t.fields[0].height_m = 1.0; }, "below the vehicle's clearance");
+  expect([](Task& t) { t.battery.capacity = 20.0; }, "does not lift the vehicle");
+  expect([](Task& t) { t.battery.capacity = 31.0; }, "it cannot cross the field");
+}
+
+TEST(Plan, NarrowArmsSliversAndSpikesAreCovered) {
+  const Ring narrow_arm = {{0, 0},      {100, 0},  {100, 40}, {60, 40}, {60, 41.5},
+                           {160, 41.5}, {160, 42}, {59, 42},  {59, 40}, {0, 40}};
+  const Ring needle = {{0, 0}, {300, 0}, {150, 1}};
+  const Ring sliver = {{0, 0}, {300, 0}, {300, 0.05}, {0, 0.05}};
+  const Ring spike = {{0, 0}, {100, 0}, {100, 50}, {300, 50.001}, {100, 50.002}, {100, 100}, {0, 100}};
+  for (const Ring& outline : {narrow_arm, needle, sliver, spike}) {
+    Task task = meadow();
+    task.fields[0].polygon = {outline, {}};
+    const auto plan = plan_coverage(task, planner::Terrain::flat(0.0), {});
+    ASSERT_TRUE(plan.ok()) << plan.error().message;
+    EXPECT_EQ(plan->status, PlanStatus::kComplete);
+    EXPECT_GE(plan->covered_percent, 99.9);
+  }
 }
 
 TEST(Plan, ALayeredTourIsComparedWithTheFullGraphWhenAsked) {
