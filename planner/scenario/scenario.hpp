@@ -105,6 +105,14 @@ struct RoughGroundSpec {
   double cell_m = 2.0;
 };
 
+/// The ground robot's own, which it refills at start_m. `cover` plans with it; missions do not know it.
+struct RobotBatterySpec {
+  double capacity = 0.0;     ///< units
+  double drive_per_s = 0.0;  ///< units for each second that it drives
+  double per_charged = 1.0;  ///< units for each that the aircraft is charged with
+  double refill_s = 0.0;
+};
+
 struct ChargerSpec {
   std::uint32_t id = 1;
   double speed_mps = 1.6;
@@ -112,6 +120,7 @@ struct ChargerSpec {
   double landing_s = 5.0;
   Vec2 start_m = Vec2::Zero();
   std::variant<std::monostate, RoadSpec, RoughGroundSpec> ground{};  ///< monostate: anywhere, straight
+  std::optional<RobotBatterySpec> battery{};                         ///< none: its energy has no end
 };
 
 /// What becomes of a band along a field's border.

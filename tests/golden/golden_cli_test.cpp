@@ -297,5 +297,25 @@ TEST(CommandLine, AFieldIsDrawnAsAPngWhereTheProgramForItIs) {
   EXPECT_EQ(head, "\x89PNG\r\n\x1a\n");
 }
 
+TEST(CommandLine, ARobotWithABatteryOfItsOwnFetchesNewEnergyOrItIsTold) {
+  const test::ScratchFolder folder;
+  const std::string field = plain_field(folder, 200, 150);
+  const auto plan = [&](const char* robot_capacity) {
+    return run({"cover", field, "--sensor-width", "8", "--capacity", "90", "--robot-capacity", robot_capacity,
+                "--robot-drive-per-s", "0.2", "--robot-refill", "30", "--json"});
+  };
+  const Outcome outcome = plan("250");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const json answer = json::parse(outcome.out);
+  std::size_t fetches = 0;
+  for (const json& meeting : answer["rendezvous"]) fetches += meeting.contains("from_depot_s") ? 1 : 0;
+  EXPECT_GE(fetches, 1u);
+  EXPECT_LT(fetches, answer["rendezvous"].size());
+  const Outcome refused = plan("40");
+  EXPECT_EQ(refused.exit_code, 1);
+  EXPECT_NE(json::parse(refused.out)["reason"].get<std::string>().find("ground robot's battery holds 40"),
+            std::string::npos);
+}
+
 }  // namespace
 }  // namespace swallowtail

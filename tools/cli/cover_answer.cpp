@@ -233,7 +233,10 @@ Json document(const CoverJob& job, const std::vector<Covered>& done, CoverStatus
     if (one.aircraft <= 1) add_reports(one, out);
     if (one.aircraft > 0) aircraft.push_back(aircraft_json(one, parts[at]));
     for (const auto& leg : one.plan->legs) legs.push_back(leg_json(leg, parts[at]));
+    const std::size_t first = meetings.size();
     for (const auto& meeting : one.plan->rendezvous) meetings.push_back(rendezvous_json(meeting, parts[at]));
+    for (const auto& visit : one.plan->depot_visits)
+      meetings[first + visit.before]["from_depot_s"] = {visit.arrives_s, visit.leaves_s};
     out["approaches_m"].push_back(places_json(approach_of(one)));
   }
   const bool has_plan = totals.legs > 0;

@@ -143,6 +143,14 @@ void read_charger(Section& coverage, const std::string& folder, const Bounds& bo
     charger->fail(Kind::kRelation, "start_m", "must be within bounds_m");
   }
   read_ground(*charger, folder, out);
+  if (auto battery = charger->section("battery", Need::kOptional); battery && battery->is_map()) {
+    RobotBatterySpec& spec = out.battery.emplace();
+    battery->number("capacity", Need::kRequired, kEnergy, spec.capacity);
+    battery->number("drive_per_s", Need::kRequired, from_to(0, 1e6), spec.drive_per_s);
+    battery->number("per_charged", Need::kOptional, from_to(0, 1e3), spec.per_charged);
+    battery->number("refill_s", Need::kOptional, from_to(0, 1e6), spec.refill_s);
+    battery->finish();
+  }
   charger->finish();
 }
 

@@ -58,7 +58,7 @@ struct Planned {
 const std::vector<Planned>& plans() {
   static const std::vector<Planned> kPlans = [] {
     std::vector<Planned> out;
-    for (std::uint64_t seed = 1; seed <= 25; ++seed) {
+    for (std::uint64_t seed = 1; seed <= 40; ++seed) {
       Planned one{seed, test::random_replay_task(seed), {}};
       auto plan = plan_coverage(one.random.task, one.random.terrain, one.random.options);
       if (!plan) continue;
@@ -70,10 +70,31 @@ const std::vector<Planned>& plans() {
   return kPlans;
 }
 
+/// The same over open ground, with a robot whose own battery does for the greatest charge and little more.
+const std::vector<Planned>& plans_with_weak_robots() {
+  static const std::vector<Planned> kPlans = [] {
+    std::vector<Planned> out;
+    for (const Planned& planned : plans()) {
+      if (planned.plan.rendezvous.size() < 2 || planned.random.task.charger.travel) continue;
+      Planned one = planned;
+      double most = 0.0;
+      for (const Rendezvous& r : one.plan.rendezvous) most = std::max(most, r.charge_to - r.energy_from);
+      one.random.task.charger.battery = {1.1 * most + 20.0, 0.02, 1.0, 20.0};
+      auto plan = plan_coverage(one.random.task, one.random.terrain, one.random.options);
+      if (!plan || plan->depot_visits.empty()) continue;
+      one.plan = std::move(*plan);
+      out.push_back(std::move(one));
+    }
+    return out;
+  }();
+  return kPlans;
+}
+
 /// Spoils up to five plans and expects each to be caught.
-void expect_caught(const Spoil& spoil, const std::string& fault) {
+void expect_caught(const Spoil& spoil, const std::string& fault,
+                   const std::vector<Planned>& sound = plans()) {
   int spoilt = 0;
-  for (const Planned& planned : plans()) {
+  for (const Planned& planned : sound) {
     SCOPED_TRACE("seed " + std::to_string(planned.seed));
     Plan plan = planned.plan;
     if (!spoil(plan, planned.random.task)) continue;
@@ -261,6 +282,43 @@ TEST(ReplayMutation, TotalsThatAreNotTheSums) {
         return true;
       },
       "the number of recharges");
+}
+
+TEST(ReplayMutation, WeakRobotsFetchNewEnergyAndTheirPlansHold) {
+  EXPECT_GE(plans_with_weak_robots().size(), 3U);
+  for (const Planned& planned : plans_with_weak_robots()) {
+    SCOPED_TRACE("seed " + std::to_string(planned.seed));
+    const auto verdict =
+        test_support::replay(planned.random.task, planned.plan, test::question_of(planned.random));
+    EXPECT_THAT(verdict.faults, testing::IsEmpty());
+  }
+}
+
+TEST(ReplayMutation, ARobotThatDoesNotFetchNewEnergy) {
+  expect_caught(
+      [](Plan& plan, const Task&) {
+        plan.depot_visits.clear();
+        return true;
+      },
+      "the robot's energy", plans_with_weak_robots());
+}
+
+TEST(ReplayMutation, ARobotThatLeavesItsDepotTooSoon) {
+  expect_caught(
+      [](Plan& plan, const Task&) {
+        plan.depot_visits.front().leaves_s -= 1.0;
+        return true;
+      },
+      "departure from its depot", plans_with_weak_robots());
+}
+
+TEST(ReplayMutation, ARobotThatIsHomeTooSoon) {
+  expect_caught(
+      [](Plan& plan, const Task&) {
+        plan.robot_home_s -= 1.0;
+        return true;
+      },
+      "the robot's arrival at home", plans_with_weak_robots());
 }
 
 }  // namespace

@@ -29,6 +29,7 @@ TEST(ReplayProperty, PlansOfRandomTasksHoldWhenTheyAreFlownStepByStep) {
   std::uint64_t with_recharge = 0;
   std::uint64_t carried = 0;
   std::uint64_t short_of = 0;
+  std::uint64_t fetched = 0;
   for (std::uint64_t seed = first; seed < first + tasks; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const test::ReplayTask random = test::random_replay_task(seed);
@@ -41,6 +42,7 @@ TEST(ReplayProperty, PlansOfRandomTasksHoldWhenTheyAreFlownStepByStep) {
     const auto verdict = test_support::replay(random.task, *plan, test::question_of(random));
     EXPECT_THAT(verdict.faults, IsEmpty());
     EXPECT_GE(verdict.least_energy, random.task.battery.reserve);
+    fetched += plan->depot_visits.size();
     with_recharge += plan->recharges > 0 ? 1 : 0;
     for (const Rendezvous& r : plan->rendezvous) carried += r.carry ? 1 : 0;
     for (const FieldReport& field : plan->fields) short_of += field.status == FieldStatus::kPartly ? 1 : 0;
@@ -48,6 +50,7 @@ TEST(ReplayProperty, PlansOfRandomTasksHoldWhenTheyAreFlownStepByStep) {
   EXPECT_GE(planned, tasks * 3 / 4) << "too many tasks are infeasible to say much";
   EXPECT_GE(with_recharge, tasks / 4) << "the tasks are too easy to say anything";
   EXPECT_GE(carried, tasks / 50);
+  EXPECT_GE(fetched, tasks / 60);
   EXPECT_LE(short_of, 1 + tasks / 1000) << "fields that are planned with less than 99.9 % covered";
   RecordProperty("planned", static_cast<int>(planned));
 }

@@ -136,9 +136,9 @@ ReplayTask random_replay_task(std::uint64_t seed) {
   out.options.seed = seed;
   // Drawn apart: the tasks are else as they were.
   Rng robot(seed * 6151);
-  if (robot.uniform() < 0.3) {
+  if (robot.uniform() < 0.5) {
     RobotBattery& own = task.charger.battery;
-    own.capacity = task.battery.capacity * robot.uniform(1.0, 5.0);
+    own.capacity = task.battery.capacity * robot.uniform(0.4, 1.2);
     own.drive_per_s = robot.uniform(0.0, 0.3);
     own.per_charged = robot.uniform(0.8, 1.3);
     own.refill_s = robot.uniform(0.0, 120.0);

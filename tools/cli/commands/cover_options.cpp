@@ -90,6 +90,18 @@ void add_ground_options(CLI::App& group, CoverOptions& options) {
   group.add_option("--slope-max-deg", options.slope_max_deg, "Steepest ground that it drives over")
       ->check(CLI::Range(0.0, 85.0));
   group.add_option("--forbidden", options.rough.forbidden_file, "Polygons that it does not drive over");
+  coverage::RobotBattery& own = options.fields.task.charger.battery;
+  group
+      .add_option("--robot-capacity", own.capacity,
+                  "Units of its own battery, refilled where it starts; without this it has no end")
+      ->check(CLI::PositiveNumber);
+  group.add_option("--robot-drive-per-s", own.drive_per_s, "Units for each second that it drives")
+      ->check(CLI::NonNegativeNumber);
+  group
+      .add_option("--robot-per-charged", own.per_charged, "Units for each that the aircraft is charged with")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  group.add_option("--robot-refill", own.refill_s, "Seconds to refill it")->check(CLI::NonNegativeNumber);
 }
 
 }  // namespace
