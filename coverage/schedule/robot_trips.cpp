@@ -121,10 +121,12 @@ Status Trips::run() {
   }
   if (!(least[count] < kNever)) {
     for (std::size_t i = 0; i < count; ++i) {
-      if (used(i, i + 1) <= robot_.capacity + kRounding) continue;
+      // Alone, whatever it costs the aircraft to wait.
+      const double needs = used(i, i + 1) - robot_.per_charged * changes_[i].drained;
+      if (needs <= robot_.capacity + kRounding) continue;
       return infeasible("The ground robot's battery holds " + std::to_string(robot_.capacity) +
                         " units; the rendezvous at " + place_text(stops_[i].site_m.head<2>()) +
-                        " and the way there and back take " + std::to_string(used(i, i + 1)) + ".");
+                        " and the way there and back take " + std::to_string(needs) + ".");
     }
     return infeasible(
         "The ground robot's battery does not last, and while it fetches new energy the aircraft would have "
