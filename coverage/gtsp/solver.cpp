@@ -115,7 +115,7 @@ double bound_work_of(const Instance& instance, const Options& options) {
 Status validate(const Options& options, const Instance& instance) {
   const bool is_fixed = options.kind == TourKind::kOpen || options.start_vertex || options.end_vertex ||
                         !options.fixed_prefix.empty();
-  if (instance.vertex_count() > kMaxSolverVertices && (is_fixed || !instance.is_complete())) {
+  if (instance.vertex_count() > kMaxSolverVertices && is_fixed && instance.is_complete()) {
     return bad_input("The instance has " + std::to_string(instance.vertex_count()) +
                      " vertices; the search takes at most " + std::to_string(kMaxSolverVertices) + ".");
   }

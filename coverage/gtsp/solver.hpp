@@ -21,8 +21,8 @@ enum class Mode { kFast, kDefault, kSlow };
 /// A closed tour returns from its last vertex to its first; an open one does not.
 enum class TourKind { kClosed, kOpen };
 
-/// Largest instance the search takes unless it is given as points with nothing fixed: it holds one or two
-/// matrices of n×n entries of 4 bytes (268 MB each at the limit).
+/// Largest instance given as points that is searched with something fixed: it is then held as a matrix of n×n
+/// entries of 4 bytes (268 MB at the limit).
 inline constexpr int kMaxSolverVertices = 8'192;
 
 /// Largest number of clusters with Options::precedence.
@@ -40,8 +40,8 @@ struct Options {
   Mode mode = Mode::kDefault;
   std::uint64_t seed = 1;
   /// Deadline, request to stop, and limit of iterations (one iteration = one kick or one tour taken
-  /// apart and put together = one evaluation). Stopped by iterations or by itself, a run is the same for a seed on every
-  /// machine, whatever `threads`.
+  /// apart and put together = one evaluation). Stopped by iterations or by itself, a run is the same for a
+  /// seed on every machine, whatever `threads`.
   StopCondition stop = {};
   TourKind kind = TourKind::kClosed;
   /// Where to begin instead of from nothing. It may miss clusters, name vertices twice or such as are not

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <vector>
 
+#include "coverage/gtsp/detail/least_arcs.hpp"
+
 namespace swallowtail::gtsp::detail {
 namespace {
 
@@ -84,29 +86,48 @@ class Assignment {
   std::vector<int> via_;
 };
 
-Bound cheapest_arcs(const LeastArcs& least_arcs) {
-  const int m = least_arcs.cluster_count();
+Bound assigned(const LeastArcs& least_arcs) {
+  Bound bound = Assignment(least_arcs).solve();
+  if (bound.starved_cluster >= 0) bound.starved_cluster = least_arcs.cluster(bound.starved_cluster);
+  return bound;
+}
+
+Bound cheapest_arcs(const Instance& instance, const Anchor& anchor, const Pruning& pruning) {
+  const int n = instance.vertex_count();
+  const auto cluster_of = [&](int v) {
+    return static_cast<std::size_t>(v == n ? instance.cluster_count() : instance.cluster_of(v));
+  };
+  const auto is_alive = [&](int v) { return pruning.is_alive[static_cast<std::size_t>(v)] != 0; };
+  const auto clusters = static_cast<std::size_t>(instance.cluster_count()) + 1;
+  std::vector<double> out(clusters, kNoArc);
+  std::vector<double> in(clusters, kNoArc);
+  std::vector<char> is_left(clusters, 0);
+  for (int u = 0; u <= n; ++u) {
+    if (!is_alive(u)) continue;
+    is_left[cluster_of(u)] = 1;
+    for_each_arc(instance, anchor, u, [&](int v, double cost) {
+      if (!is_alive(v)) return;
+      out[cluster_of(u)] = std::min(out[cluster_of(u)], cost);
+      in[cluster_of(v)] = std::min(in[cluster_of(v)], cost);
+    });
+  }
   double out_sum = 0.0;
   double in_sum = 0.0;
-  for (int a = 0; a < m; ++a) {
-    double out = kNoArc;
-    double in = kNoArc;
-    for (int b = 0; b < m; ++b) {
-      out = std::min(out, least_arcs(a, b));
-      in = std::min(in, least_arcs(b, a));
-    }
-    if (std::isinf(out) || std::isinf(in)) return {kNoArc, 0.0, a};
-    out_sum += out;
-    in_sum += in;
+  for (std::size_t c = 0; c < clusters; ++c) {
+    if (is_left[c] == 0) continue;
+    if (std::isinf(out[c]) || std::isinf(in[c])) return {kNoArc, 0.0, static_cast<int>(c)};
+    out_sum += out[c];
+    in_sum += in[c];
   }
   return {std::max(out_sum, in_sum), 0.0, -1};
 }
 
 }  // namespace
 
-Bound lower_bound(const LeastArcs& least_arcs) {
-  Bound bound = least_arcs.cluster_count() <= kMaxAssignedClusters ? Assignment(least_arcs).solve()
-                                                                   : cheapest_arcs(least_arcs);
+Bound lower_bound(const Instance& instance, const Anchor& anchor, const Pruning& pruning) {
+  Bound bound = instance.cluster_count() <= kMaxAssignedClusters
+                    ? assigned(LeastArcs(instance, anchor, pruning))
+                    : cheapest_arcs(instance, anchor, pruning);
   const bool is_integer = std::isinf(bound.value) || bound.value == std::floor(bound.value);
   if (!is_integer) {
     bound.rounding = 2e-10 * bound.value;

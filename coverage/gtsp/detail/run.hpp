@@ -7,7 +7,6 @@
 #include "coverage/gtsp/detail/anchor.hpp"
 #include "coverage/gtsp/detail/bound.hpp"
 #include "coverage/gtsp/detail/incumbents.hpp"
-#include "coverage/gtsp/detail/least_arcs.hpp"
 #include "coverage/gtsp/detail/pruning.hpp"
 #include "coverage/gtsp/search/chains.hpp"
 
@@ -36,7 +35,9 @@ class Run {
   bool finish_by_walks();
   void finish(const Found& best, SolveStatus status, std::string reason);
   void finish_infeasible(std::string reason);
-  std::string cluster_name(int folded_cluster) const;
+  std::string name_of_cluster(int cluster) const;
+  /// Free clusters, and one for what is fixed.
+  int folded_clusters() const;
 
   /// Whether what can be proved is worth its time before the search.
   bool is_proof_first() const;
@@ -52,7 +53,6 @@ class Run {
   Anchor anchor_;
   Incumbents incumbents_;
   std::optional<Pruning> pruning_;
-  std::optional<LeastArcs> least_arcs_;
   double rounding_ = 0.0;
   std::vector<Found> found_;  ///< the best of each chain
   Solution solution_;

@@ -27,9 +27,13 @@ bool Run::finish_trivial() {
   return true;
 }
 
-std::string Run::cluster_name(int folded_cluster) const {
-  const int c = least_arcs_->cluster(folded_cluster);
-  return c == instance_.cluster_count() ? "the fixed part" : "cluster " + std::to_string(c);
+std::string Run::name_of_cluster(int cluster) const {
+  return cluster == instance_.cluster_count() ? "the fixed part" : "cluster " + std::to_string(cluster);
+}
+
+int Run::folded_clusters() const {
+  const auto free = std::count(anchor_.fixed_cluster.begin(), anchor_.fixed_cluster.end(), 0);
+  return static_cast<int>(free) + (anchor_.is_used ? 1 : 0);
 }
 
 /// What degrees, reachability and the bound prove.
@@ -49,10 +53,9 @@ bool Run::finish_unreachable() {
     finish_infeasible("No arcs lead from or to the fixed part of the tour.");
     return true;
   }
-  least_arcs_.emplace(instance_, anchor_, *pruning_);
-  const Bound bound = lower_bound(*least_arcs_);
+  const Bound bound = lower_bound(instance_, anchor_, *pruning_);
   if (std::isinf(bound.value)) {
-    finish_infeasible("Among the clusters with " + cluster_name(bound.starved_cluster) +
+    finish_infeasible("Among the clusters with " + name_of_cluster(bound.starved_cluster) +
                       ", more have to be left than arcs lead to: not each can have a successor of its own.");
     return true;
   }
@@ -90,8 +93,7 @@ bool Run::finish_by_subsets() {
 bool Run::finish_by_walks() {
   constexpr int kMostClusters = 24;
   constexpr double kWalkShare = 0.08;  ///< a step takes about ten times as long
-  if (effort_.exact_work == 0.0 || least_arcs_->cluster_count() > kMostClusters ||
-      options_.stop.reached(0, 0))
+  if (effort_.exact_work == 0.0 || folded_clusters() > kMostClusters || options_.stop.reached(0, 0))
     return false;
   proof::CertificateParams params;
   params.work = kWalkShare * effort_.exact_work;

@@ -110,7 +110,7 @@ class AsymmetricMoves {
   }
 
   /// The cluster at p, with any of its vertices, behind or before a cluster near to the one it has now or,
-  /// where clusters lie scattered or an arc is missing here, near to that vertex.
+  /// where an arc is missing, near to that vertex.
   void look_reinsert(int p) {
     const int v = tour_->vertex(p);
     const int c = problem_.cluster_of(v);
@@ -120,7 +120,7 @@ class AsymmetricMoves {
     const Cost out = costs_(v, s);
     const Cost removed = costs_(o, s) - in - out;
     const Cost broken = std::max(in, out);
-    if (!candidates_.is_scattered() && broken < kMissingArc) {
+    if (broken < kMissingArc) {
       look_beside(p, v, broken, removed, problem_.first(c), problem_.last(c));
       return;
     }

@@ -1,6 +1,7 @@
 #include "coverage/gtsp/search/candidates.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace swallowtail::gtsp::search {
 namespace {
@@ -26,7 +27,9 @@ void Candidates::resize(Lists& lists) const {
 
 void Candidates::make(Lists& lists, int v, Direction direction) {
   found_.clear();
-  if (problem_.points().empty()) {
+  if (!problem_.arcs_out().empty()) {
+    look_at_lists(v, direction);
+  } else if (problem_.points().empty()) {
     look_at_matrix(v, direction);
   } else {
     look_at_points(v);
@@ -47,6 +50,22 @@ void Candidates::look_at_matrix(int v, Direction direction) {
       if (cost < best.cost) best = {w, cost};
     }
     found_.push_back(best);
+  }
+}
+
+/// Filled up with clusters that no arc joins.
+void Candidates::look_at_lists(int v, Direction direction) {
+  const ArcLists& lists = direction == Direction::kInto ? problem_.arcs_into() : problem_.arcs_out();
+  int cluster = -1;
+  for (const ListedArc& arc : lists.of(v)) {
+    if (problem_.cluster_of(arc.vertex) != std::exchange(cluster, problem_.cluster_of(arc.vertex)))
+      found_.push_back({arc.vertex, arc.weight});
+    else if (arc.weight < found_.back().cost)
+      found_.back() = {arc.vertex, arc.weight};
+  }
+  for (int c = problem_.cluster_of(v); found_.size() < most_;) {
+    c = c + 1 < problem_.cluster_count() ? c + 1 : 0;
+    found_.push_back({problem_.first(c), kMissingArc});
   }
 }
 

@@ -16,10 +16,6 @@ class Candidates {
   /// The tree is used, and must be there, when the problem has points.
   Candidates(const Problem& problem, const PointTree* tree, int most);
 
-  /// Whether clusters lie scattered among each other: to most vertices most_ other clusters are nearer than
-  /// the rest of their own.
-  bool is_scattered() const { return is_scattered_; }
-
   std::span<const Near> out_of(int v) { return of(out_, v, Direction::kOut); }
   std::span<const Near> into(int v) {
     return problem_.is_symmetric() ? out_of(v) : of(into_, v, Direction::kInto);
@@ -39,9 +35,9 @@ class Candidates {
   }
   void make(Lists& lists, int v, Direction direction);
   void look_at_matrix(int v, Direction direction);
+  void look_at_lists(int v, Direction direction);
   void look_at_points(int v);
   void resize(Lists& lists) const;
-  bool look_whether_scattered();
 
   const Problem& problem_;
   const PointTree* tree_;
@@ -50,7 +46,6 @@ class Candidates {
   Lists into_;
   PointTree::Search search_;
   std::vector<Near> found_;
-  bool is_scattered_ = false;
 };
 
 }  // namespace swallowtail::gtsp::search

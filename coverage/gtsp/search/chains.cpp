@@ -20,6 +20,8 @@ constexpr double kCold = 0.05;
 constexpr double kWarmHot = 0.02;
 /// Up to so many clusters the second chain begins each round anew.
 constexpr int kMostRestarted = 400;
+/// Up to so many clusters a tour over few arcs is put together; that takes clusters × vertices steps.
+constexpr int kMostPutTogether = 4'000;
 /// Tours kept to be recombined with.
 constexpr std::size_t kPool = 8;
 /// Kicks of each chain in the first round and in the longest, per cluster.
@@ -157,7 +159,7 @@ class Rounds {
     }
     for (std::size_t i = tour.size(); i > 1; --i)
       std::swap(tour[i - 1], tour[static_cast<std::size_t>(rng.below(i))]);
-    return problem_.has_missing() ? put_together(tour) : tour;
+    return problem_.has_missing() && m <= kMostPutTogether ? put_together(tour) : tour;
   }
 
   /// The clusters of the tour's vertices, each put in after those before it.

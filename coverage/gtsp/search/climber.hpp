@@ -24,6 +24,7 @@ class Climber {
  public:
   Climber(const Problem& problem, Candidates& candidates, Costs costs, std::vector<int> tour)
       : problem_(problem),
+        candidates_(candidates),
         costs_(costs),
         tour_(std::move(tour), problem.cluster_of()),
         symmetric_(problem, candidates, costs),
@@ -84,24 +85,27 @@ class Climber {
     for (const int u : {o, v, s}) wake(problem_.cluster_of(u));
   }
 
-  /// The cluster at p goes to the best place that is not its own, whichever of its vertices that takes.
+  /// The cluster at p goes, with whichever of its vertices, beside the near cluster where that adds least, if
+  /// there is one; not to where it is.
   void move_away(int p) {
     const int c = problem_.cluster_of(tour_.vertex(p));
-    const int end = tour_.previous(p);
+    const int before = tour_.previous(p);
     Cost least = std::numeric_limits<Cost>::max();
     int place = -1;
     int vertex = -1;
-    for (int j = tour_.next(p); j != end; j = tour_.next(j)) {
+    const auto look = [&](int j, int v) {
+      if (j == p || j == before) return;
       const int a = tour_.vertex(j);
       const int b = tour_.vertex(tour_.next(j));
-      const Cost broken = costs_(a, b);
-      for (int v = problem_.first(c); v < problem_.last(c); ++v) {
-        const Cost added = costs_(a, v) + costs_(v, b) - broken;
-        if (added >= least) continue;
-        least = added;
-        place = j;
-        vertex = v;
-      }
+      const Cost added = costs_(a, v) + costs_(v, b) - costs_(a, b);
+      if (added >= least) return;
+      least = added;
+      place = j;
+      vertex = v;
+    };
+    for (int v = problem_.first(c); v < problem_.last(c); ++v) {
+      for (const Near& near : candidates_.out_of(v)) look(tour_.previous(tour_.position_of(near.vertex)), v);
+      for (const Near& near : candidates_.into(v)) look(tour_.position_of(near.vertex), v);
     }
     if (place < 0) return;
     set(p, vertex);
@@ -182,6 +186,7 @@ class Climber {
   }
 
   const Problem& problem_;
+  Candidates& candidates_;
   Costs costs_;
   ArrayTour tour_;
   SymmetricMoves<Costs> symmetric_;

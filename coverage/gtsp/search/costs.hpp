@@ -1,11 +1,13 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 
 #include "coverage/gtsp/detail/metric.hpp"
+#include "coverage/gtsp/search/arc_lists.hpp"
 
 namespace swallowtail::gtsp::search {
 
@@ -31,6 +33,21 @@ class MatrixCosts {
  private:
   const std::int32_t* weights_;
   std::size_t n_;
+};
+
+/// Costs looked up in the lists of the arcs that leave each vertex.
+class ListCosts {
+ public:
+  explicit ListCosts(const ArcLists* lists) : lists_(lists) {}
+  Cost operator()(int from, int to) const {
+    const std::span<const ListedArc> arcs = lists_->of(from);
+    const auto found = std::lower_bound(arcs.begin(), arcs.end(), to,
+                                        [](const ListedArc& arc, int v) { return arc.vertex < v; });
+    return found != arcs.end() && found->vertex == to ? found->weight : kMissingArc;
+  }
+
+ private:
+  const ArcLists* lists_;
 };
 
 /// Costs computed from coordinates. The metric is a template argument so that none is chosen per arc.

@@ -24,6 +24,10 @@ Problem::Problem(const Instance& instance, const detail::Anchor& anchor, const d
     for (const int v : original_) points_.push_back(instance.points()[at(v)]);
     return;
   }
+  if (instance.is_sparse() && size() > kMaxSparseMatrix) {
+    list_arcs(instance, anchor);
+    return;
+  }
   if (is_plain && !instance.weights().empty()) {
     take_weights(instance);
   } else {
@@ -91,7 +95,8 @@ void Problem::take_weights(const Instance& instance) {
   if (!is_whole) has_missing_ = lacks_arcs();
 }
 
-void Problem::fill_from_arcs(const Instance& instance, const detail::Anchor& anchor) {
+/// What costs are multiplied by to be whole numbers of 30 bits.
+double Problem::scale_of(const Instance& instance, const detail::Anchor& anchor) const {
   double largest = 0.0;
   bool is_whole = true;
   for (const int from : original_) {
@@ -100,7 +105,11 @@ void Problem::fill_from_arcs(const Instance& instance, const detail::Anchor& anc
       is_whole = is_whole && cost == std::floor(cost);
     });
   }
-  const double scale = (is_whole && largest <= kMaxWeight) || largest == 0.0 ? 1.0 : kMaxWeight / largest;
+  return (is_whole && largest <= kMaxWeight) || largest == 0.0 ? 1.0 : kMaxWeight / largest;
+}
+
+void Problem::fill_from_arcs(const Instance& instance, const detail::Anchor& anchor) {
+  const double scale = scale_of(instance, anchor);
   for (int u = 0; u < size(); ++u) {
     std::int32_t* const row = own_weights_.data() + at(u) * original_.size();
     for_each_arc(instance, anchor, original(u), [&](int original_to, double cost) {
@@ -108,6 +117,28 @@ void Problem::fill_from_arcs(const Instance& instance, const detail::Anchor& anc
       if (v >= 0) row[v] = static_cast<std::int32_t>(std::lround(cost * scale));
     });
   }
+}
+
+void Problem::list_arcs(const Instance& instance, const detail::Anchor& anchor) {
+  const double scale = scale_of(instance, anchor);
+  arcs_out_ = ArcLists(size());
+  std::vector<ListedArc> arcs;
+  for (int u = 0; u < size(); ++u) {
+    arcs.clear();
+    for_each_arc(instance, anchor, original(u), [&](int original_to, double cost) {
+      const int v = numbered(original_to);
+      if (v >= 0) arcs.push_back({v, static_cast<std::int32_t>(std::lround(cost * scale))});
+    });
+    arcs_out_.append(u, arcs);
+  }
+  has_missing_ = true;
+  arcs_into_ = arcs_out_.turned();
+  for (int v = 0; v < size() && is_symmetric_; ++v) {
+    is_symmetric_ = std::ranges::equal(arcs_out_.of(v), arcs_into_.of(v), [](ListedArc a, ListedArc b) {
+      return a.vertex == b.vertex && a.weight == b.weight;
+    });
+  }
+  if (is_symmetric_) arcs_into_ = {};
 }
 
 bool Problem::lacks_arcs() const {

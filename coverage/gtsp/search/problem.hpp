@@ -21,7 +21,7 @@ struct Near {
 /// numbers: the instance's own if they are and fit, else rounded to 2^-30 of the largest; found tours are
 /// summed again on the instance. Held as a matrix of 32 bits, the instance's own where that is numbered
 /// likewise (it must outlive the problem), or, for points beyond kMaxPointMatrix vertices, computed when
-/// asked for.
+/// asked for; of sparse instances beyond kMaxSparseMatrix vertices as lists of their arcs.
 class Problem {
  public:
   Problem(const Instance& instance, const detail::Anchor& anchor, const detail::Pruning& pruning);
@@ -46,12 +46,16 @@ class Problem {
   /// Empty unless costs are computed from them.
   const std::vector<Point>& points() const { return points_; }
   Metric metric() const { return metric_; }
-  /// Row = from; what it says within clusters means nothing. Empty when there are points.
+  /// Of the arcs that leave each vertex and of those that lead there; empty unless held so.
+  const ArcLists& arcs_out() const { return arcs_out_; }
+  const ArcLists& arcs_into() const { return is_symmetric_ ? arcs_out_ : arcs_into_; }
+  /// Row = from; what it says within clusters means nothing. Empty when there are points or lists.
   std::span<const std::int32_t> weights() const { return weights_; }
 
   /// Calls use(costs) with the costs in their own type.
   template <class Use>
   decltype(auto) with_costs(Use use) const {
+    if (!arcs_out_.empty()) return use(ListCosts(&arcs_out_));
     if (points_.empty()) return use(MatrixCosts(weights_.data(), size()));
     switch (metric_) {
       case Metric::kEuc2D:
@@ -69,13 +73,16 @@ class Problem {
   }
 
   static constexpr int kMaxPointMatrix = 3'000;
+  static constexpr int kMaxSparseMatrix = 8'192;
 
  private:
   static std::size_t at(int i) { return static_cast<std::size_t>(i); }
   void number_vertices(const Instance& instance, const detail::Pruning& pruning);
   void fill_from_points(const Instance& instance);
   void take_weights(const Instance& instance);
+  double scale_of(const Instance& instance, const detail::Anchor& anchor) const;
   void fill_from_arcs(const Instance& instance, const detail::Anchor& anchor);
+  void list_arcs(const Instance& instance, const detail::Anchor& anchor);
   bool lacks_arcs() const;
   bool looks_symmetric() const;
 
@@ -88,6 +95,8 @@ class Problem {
   bool has_missing_ = false;
   std::vector<std::int32_t> own_weights_;
   std::span<const std::int32_t> weights_;
+  ArcLists arcs_out_;
+  ArcLists arcs_into_;
   std::vector<Point> points_;
   Metric metric_ = Metric::kEuc2D;
 };

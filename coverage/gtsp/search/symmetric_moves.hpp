@@ -106,7 +106,7 @@ class SymmetricMoves {
   }
 
   /// The cluster at p, with any of its vertices, beside a cluster near to the one it has now or, where
-  /// clusters lie scattered or an arc is missing here, near to that vertex.
+  /// an arc is missing, near to that vertex.
   void look_reinsert(int p) {
     const int v = tour_->vertex(p);
     const int c = problem_.cluster_of(v);
@@ -114,7 +114,7 @@ class SymmetricMoves {
     const Cost out = costs_(v, tour_->vertex(tour_->next(p)));
     const Cost between = costs_(tour_->vertex(tour_->previous(p)), tour_->vertex(tour_->next(p)));
     const Cost broken = std::max(in, out);
-    if (!candidates_.is_scattered() && broken < kMissingArc) {
+    if (broken < kMissingArc) {
       look_beside(p, v, broken, between - in - out, problem_.first(c), problem_.last(c));
       return;
     }

@@ -185,6 +185,40 @@ TEST(Chains, FindMuchTheSameFromEverySeedWhereCostsDifferEachWay) {
 
 INSTANTIATE_TEST_SUITE_P(Both, Search, testing::Values(Symmetry::kBothWaysAlike, Symmetry::kNone));
 
+/// A sparse instance too large for a matrix: lists of arcs say what it says, each way.
+TEST(SearchProblem, ListsTheArcsOfLargeSparseInstances) {
+  Rng rng(9);
+  constexpr int kClusters = 1'700;
+  constexpr int kVertices = 5 * kClusters;
+  Instance::Clusters clusters(kClusters);
+  for (int v = 0; v < kVertices; ++v) clusters[static_cast<std::size_t>(v % kClusters)].push_back(v);
+  std::vector<ArcInput> arcs;
+  for (int u = 0; u < kVertices; ++u) {
+    for (int i = 0; i < 8; ++i) {
+      const int v = (u + 1 + static_cast<int>(rng.below(50))) % kVertices;
+      arcs.push_back({u, v, std::floor(rng.uniform(0.0, 1000.0))});
+    }
+  }
+  const Instance instance = Instance::from_arcs(kVertices, clusters, arcs).value();
+  const Problem problem = problem_of(instance);
+  EXPECT_TRUE(problem.weights().empty());
+  EXPECT_TRUE(problem.has_missing());
+  EXPECT_FALSE(problem.is_symmetric());
+  Candidates candidates(problem, nullptr, 6);
+  problem.with_costs([&](const auto& costs) {
+    for (int i = 0; i < 20'000; ++i) {
+      const int u = static_cast<int>(rng.below(kVertices));
+      const int v = problem.numbered((problem.original(u) + static_cast<int>(rng.below(60))) % kVertices);
+      const double cost = instance.cost(problem.original(u), problem.original(v));
+      EXPECT_EQ(costs(u, v), cost == kNoArc ? kMissingArc : static_cast<Cost>(cost));
+    }
+    for (int v = 0; v < problem.size(); v += 37) {
+      for (const Near& near : candidates.out_of(v)) EXPECT_EQ(near.cost, costs(v, near.vertex));
+      for (const Near& near : candidates.into(v)) EXPECT_EQ(near.cost, costs(near.vertex, v));
+    }
+  });
+}
+
 /// Whole costs in clusters that follow one another are not copied; in any other order they are the same.
 TEST(SearchProblem, SharesTheInstancesWeightsWhereItCan) {
   Rng rng(3);

@@ -145,6 +145,17 @@ Instance halves(bool one_way) {
   return Instance::from_arcs(20, std::move(clusters), arcs).value();
 }
 
+/// 8,820 vertices: beyond what is searched as a matrix.
+TEST(Sparse, FindsToursOfLargeInstances) {
+  const Instance instance = grid(42, 5, 0.4, 2, 1);
+  const Solution solution =
+      solve(instance, {.mode = Mode::kFast, .stop = {.max_iterations = 4'000}, .kind = TourKind::kOpen});
+  const auto checked = check_tour(instance, solution.tour, {.returns_to_start = false});
+  ASSERT_TRUE(checked.ok()) << name_of(solution.status) << ' ' << checked.error().message;
+  EXPECT_NEAR(checked.value(), solution.cost, 1e-6);
+  EXPECT_LE(solution.lower_bound, solution.cost);
+}
+
 TEST(Sparse, NamesTheClusterThatMakesATourImpossible) {
   const Solution apart = solve(halves(false), {.mode = Mode::kFast});
   EXPECT_EQ(apart.status, SolveStatus::kInfeasible);
