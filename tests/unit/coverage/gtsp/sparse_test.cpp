@@ -149,7 +149,7 @@ Instance halves(bool one_way) {
 TEST(Sparse, FindsToursOfLargeInstances) {
   const Instance instance = grid(42, 5, 0.4, 2, 1);
   const Solution solution =
-      solve(instance, {.mode = Mode::kFast, .stop = {.max_iterations = 4'000}, .kind = TourKind::kOpen});
+      solve(instance, {.mode = Mode::kFast, .stop = {.max_iterations = 15'000}, .kind = TourKind::kOpen});
   const auto checked = check_tour(instance, solution.tour, {.returns_to_start = false});
   ASSERT_TRUE(checked.ok()) << name_of(solution.status) << ' ' << checked.error().message;
   EXPECT_NEAR(checked.value(), solution.cost, 1e-6);
