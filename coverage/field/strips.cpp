@@ -141,7 +141,9 @@ Result<Strips> finish(const Polygon& turned, const StripParams& params, Cut cut,
     cut.pieces.push_back(piece);
   }
   const double may_lose = std::max(0.0, allowed_m2 - cover.uncovered_m2);
-  out.uncovered_m2 += detail::trim(turned, {params.sensor_width_m, may_lose}, cut.pieces);
+  // Where lines are to overlap, each is needed for what lies nearest to it, though others see that too.
+  const double needed_width_m = params.overlap > 0.0 ? spacing_m(params) : params.sensor_width_m;
+  out.uncovered_m2 += detail::trim(turned, {needed_width_m, may_lose}, cut.pieces);
   std::stable_sort(cut.pieces.begin(), cut.pieces.end(),
                    [](const detail::Segment& a, const detail::Segment& b) { return a.strip < b.strip; });
   for (const detail::Segment& piece : cut.pieces)
@@ -230,7 +232,7 @@ Result<Strips> cut_strips(const Polygon& polygon, const StripParams& params) {
                                             best->value().cost_m(params.piece_cost_m) - kBetter_m);
     if (!best || better) best = std::move(strips);
   }
-  const bool may_vary = params.headland_m <= 0.0 && params.beyond == Beyond::kNever;
+  const bool may_vary = params.headland_m <= 0.0 && params.overlap <= 0.0 && params.beyond == Beyond::kNever;
   if (!may_vary || !best->ok()) return *best;
   Strips chosen = best->value();
   improve(polygon, params, chosen);

@@ -87,6 +87,9 @@ TEST(Strips, OverlappingStripsLieNearer) {
   const Polygon field{rectangle(0, 0, 100, 30), {}};
   EXPECT_EQ(cut_strips(field, {.sensor_width_m = 10.0, .overlap = 0.25})->count, 4);
   EXPECT_FALSE(cut_strips(field, {.sensor_width_m = 10.0, .overlap = 1.0}).ok());
+  const Strips twice = *cut_strips(field, {.sensor_width_m = 10.0, .overlap = 0.5});
+  EXPECT_EQ(twice.count, 6);
+  EXPECT_EQ(twice.pieces.size(), 6u) << "a line that its neighbours make up for is flown all the same";
 }
 
 TEST(Strips, AHoleThatSpansStripsSplitsThem) {
