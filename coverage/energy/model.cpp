@@ -96,17 +96,6 @@ double greatest_level_power(const EnergyModel& model, double speed_mps) {
   return correction * std::max(multirotor_power(model, with), multirotor_power(model, -with));
 }
 
-EnergyModel greatest_rates(const EnergyModel& model, const planner::VehicleLimits& limits, double top_m) {
-  const double factor = altitude_factor(model, top_m);
-  EnergyModel out;
-  out.landed_per_s = model.landed_per_s;
-  out.level_per_s = factor * greatest_level_power(model, limits.cruise_speed_mps);
-  out.climb_per_s = factor * base_power(model, Vec3(0.0, 0.0, limits.climb_speed_mps));
-  out.descent_per_s = factor * base_power(model, Vec3(0.0, 0.0, -limits.descent_speed_mps));
-  out.hover_per_s = factor * base_power(model, Vec3::Zero());
-  return out;
-}
-
 EnergyModel still_air_rates(const EnergyModel& model, const planner::VehicleLimits& limits) {
   EnergyModel out;
   out.landed_per_s = model.landed_per_s;

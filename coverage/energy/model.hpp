@@ -54,8 +54,6 @@ double base_power(const EnergyModel& model, const Vec3& velocity_mps);
 /// The greatest of all level directions.
 double greatest_level_power(const EnergyModel& model, double speed_mps);
 
-/// Four rates that no flight up to an altitude goes beyond, whatever its direction in the model's wind.
-EnergyModel greatest_rates(const EnergyModel& model, const planner::VehicleLimits& limits, double top_m);
 /// The four rates that the model has for a vehicle in still air at the altitude where the factor is 1.
 EnergyModel still_air_rates(const EnergyModel& model, const planner::VehicleLimits& limits);
 

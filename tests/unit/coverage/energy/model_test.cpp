@@ -125,26 +125,6 @@ TEST(EnergyModel, ThinAirCostsMoreAndIsIntegratedExactly) {
   EXPECT_DOUBLE_EQ(flight.stop(80.0).energy, 1.3);
 }
 
-TEST(EnergyModel, RatesForTheWireAreNeverTooLow) {
-  const planner::VehicleLimits limits;
-  EnergyModel model = multirotor(Vec2(3.0, 4.0));
-  model.altitude_per_m = 0.002;
-  const EnergyModel rates = greatest_rates(model, limits, 120.0);
-  EXPECT_FALSE(rates.multirotor);
-  const planner::Terrain ground = planner::Terrain::flat(20.0);
-  const FlightModel exact(limits, model, ground);
-  const FlightModel wire(limits, rates, ground);
-  for (int i = 0; i < 12; ++i) {
-    const double a = i * std::numbers::pi / 6.0;
-    const Vec3 from(0.0, 0.0, 100.0);
-    const Vec3 to(90.0 * std::cos(a), 90.0 * std::sin(a), 120.0);
-    EXPECT_LE(exact.transfer_and_land(from, std::nullopt, to).energy,
-              wire.transfer_and_land(from, std::nullopt, to).energy);
-    EXPECT_LE(exact.take_off_to(from, to, std::nullopt).energy,
-              wire.take_off_to(from, to, std::nullopt).energy);
-  }
-}
-
 TEST(EnergyModel, RefusesWhatCannotBe) {
   const planner::VehicleLimits limits;
   EXPECT_TRUE(validate(EnergyModel{}, limits));
