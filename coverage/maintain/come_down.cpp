@@ -5,6 +5,13 @@
 
 /// How PlanKeeper brings the aircraft down when its energy does for nothing else.
 namespace swallowtail::coverage {
+namespace {
+
+/// Of the time a change may take to reach the aircraft, what is not waited for on the leg under way: should
+/// it be further by then, it turns back a little, and counts its legs the same.
+constexpr double kHasteShare = 0.5;
+
+}  // namespace
 
 /// Down as soon as it can be, whatever else might be had.
 bool PlanKeeper::come_down(const std::string& reason) {
@@ -30,10 +37,13 @@ std::size_t PlanKeeper::split_ahead(Rest& rest, const Commitment& begun) {
   Leg& last = rest.legs[begun.legs - 1];
   const Leg& planned = plan_.legs[plan_.legs_done + begun.legs - 1];
   const double length = (planned.exit_m - planned.entry_m).norm();
-  if (begun.into_last_m < length - 1.0) {
+  double into_last_m = begun.into_last_m;
+  if (begun.legs == 1 && covers(plan_.legs_done))
+    into_last_m -= kHasteShare * params_.reaction_s * task_.vehicle.cruise_speed_mps;
+  if (into_last_m < length - 1.0) {
     Leg after = last;
     after.sub_cell_id = next_id_++;
-    after.entry_m = planned.entry_m + (planned.exit_m - planned.entry_m) * (begun.into_last_m / length);
+    after.entry_m = planned.entry_m + (planned.exit_m - planned.entry_m) * (into_last_m / length);
     last.exit_m = after.entry_m;
     rest.legs.insert(rest.legs.begin() + static_cast<std::ptrdiff_t>(begun.legs), after);
   }
