@@ -31,6 +31,8 @@ constexpr std::uint64_t kMostKicks = 400;
 /// rounds are this long then.
 constexpr int kFewClusters = 60;
 constexpr std::uint64_t kShortKicks = 25;
+/// From so many clusters on a short round undoes more than it mends: all rounds are long.
+constexpr int kManyClusters = 2'000;
 
 struct Chain {
   std::vector<int> tour;
@@ -53,7 +55,7 @@ class Rounds {
     std::uint64_t left = setup_.kicks;
     const auto m = static_cast<std::uint64_t>(problem_.cluster_count());
     const bool is_small = problem_.cluster_count() < kFewClusters;
-    std::uint64_t most = (is_kicked() ? is_small ? kShortKicks : kFirstKicks : 1) * m;
+    std::uint64_t most = kicks_of_first_round() * m;
     for (int round = 0; round == 0 || (left > 0 && !setup_.stop.reached(0, 0)); ++round) {
       prepare(round, left, most);
       run_round(round);
@@ -70,6 +72,13 @@ class Rounds {
 
  private:
   static std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+  /// Per cluster.
+  std::uint64_t kicks_of_first_round() const {
+    if (!is_kicked()) return 1;
+    if (problem_.cluster_count() < kFewClusters) return kShortKicks;
+    return problem_.cluster_count() < kManyClusters ? kFirstKicks : kMostKicks;
+  }
 
   /// A few clusters leave a kick no room: they are begun anew from other orders instead.
   bool is_kicked() const { return problem_.cluster_count() >= kLeastKicked; }
