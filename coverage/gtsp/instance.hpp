@@ -117,8 +117,8 @@ class Instance {
   std::vector<int> cluster_of_;
   std::vector<std::size_t> first_arc_;  // n + 1
   std::vector<Arc> arcs_;
-  std::vector<double> matrix_;         // one of these two
-  std::vector<std::int32_t> weights_;  //
+  std::vector<std::int32_t> weights_;  // of a matrix, or else
+  std::vector<double> matrix_;         // its costs
   bool is_matrix_lacking_ = false;
   std::vector<Point> points_;
   Metric metric_ = Metric::kEuc2D;

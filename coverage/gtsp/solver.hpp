@@ -32,7 +32,7 @@ inline constexpr int kMaxPrecedenceClusters = 2'000;
 struct Incumbent {
   const std::vector<int>& tour;
   double cost = 0.0;
-  std::uint64_t iteration = 0;  ///< of the trial that found it
+  std::uint64_t iteration = 0;  ///< of the chain that found it, in its round
   double wall_s = 0.0;          ///< since solve began, on Options::stop.clock; 0 without a clock
 };
 
@@ -96,7 +96,7 @@ struct Solution {
   double lower_bound = 0.0;
   bool proved_optimal = false;
   std::vector<HistoryEntry> history;             ///< cost strictly falls
-  std::uint64_t iterations = 0;                  ///< of all trials
+  std::uint64_t iterations = 0;                  ///< of all chains
   std::string reason = "solve was not called.";  ///< a sentence on how it ended
 };
 

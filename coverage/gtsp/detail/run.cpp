@@ -50,16 +50,12 @@ bool Run::is_proof_first() const {
 }
 
 void Run::search_by_chains() {
-  std::optional<search::Problem> problem;
-  problem.emplace(instance_, anchor_, pruning_ ? *pruning_ : all_alive(instance_, anchor_));
-  if (problem->has_missing() && !pruning_) {
-    if (finish_unreachable()) return;
-    problem.emplace(instance_, anchor_, *pruning_);
-  }
-  const search::ChainSetup setup = chain_setup(*problem);
-  const auto original = [&](int v) { return problem->original(v); };
+  if (!pruning_ && instance_.is_matrix_lacking() && finish_unreachable()) return;
+  const search::Problem problem(instance_, anchor_, pruning_ ? *pruning_ : all_alive(instance_, anchor_));
+  const search::ChainSetup setup = chain_setup(problem);
+  const auto original = [&](int v) { return problem.original(v); };
   solution_.iterations = search::run_chains(
-      *problem, setup, [&](int chain, const std::vector<int>& tour, std::uint64_t iteration) {
+      problem, setup, [&](int chain, const std::vector<int>& tour, std::uint64_t iteration) {
         consider(found_from(instance_, anchor_, tour, original, options_.kind), iteration, chain);
       });
   const bool is_bounded = pruning_ || instance_.vertex_count() > kMaxBoundVertices;

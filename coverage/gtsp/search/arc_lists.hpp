@@ -20,7 +20,6 @@ class ArcLists {
   explicit ArcLists(int vertex_count) : first_(static_cast<std::size_t>(vertex_count) + 1, 0) {}
 
   bool empty() const { return arcs_.empty(); }
-  std::size_t size() const { return arcs_.size(); }
   std::span<const ListedArc> of(int v) const {
     const auto i = static_cast<std::size_t>(v);
     return std::span(arcs_).subspan(first_[i], first_[i + 1] - first_[i]);
