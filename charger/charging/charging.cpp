@@ -155,8 +155,8 @@ double Charging::greatest_rate(const BatteryView& battery, double energy) const 
 }
 
 bool Charging::is_behind(const Meeting& meeting, const Inputs& inputs) const {
-  if (inputs.vehicle && inputs.vehicle->legs_done > 0 && meeting.id < 2 * (inputs.vehicle->legs_done - 1))
-    return true;
+  const std::uint32_t legs_before = (meeting.id + 1) / 2;
+  if (inputs.vehicle && legs_before < inputs.vehicle->legs_done) return true;
   if (!last_done_) return false;
   if (meeting.id != last_done_->id) return meeting.id < last_done_->id;
   return orders_.revision == last_done_revision_ || is_near(meeting.site_m, last_done_->site_m);

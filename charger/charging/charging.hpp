@@ -13,8 +13,7 @@
 /// it, carry it if asked, let it go, drive on. No clock, no middleware.
 namespace swallowtail::charger {
 
-/// One meeting with the vehicle. Ids grow along the plan: 2·i at the exit of leg i, 2·i + 1 at the entry of
-/// leg i + 1.
+/// One meeting with the vehicle. Ids grow along the plan: 2·i at the entry of leg i, 2·i + 1 at its exit.
 struct Meeting {
   std::uint32_t id = 0;
   Vec3 site_m = Vec3::Zero();

@@ -120,8 +120,7 @@ bool PlanKeeper::begin_anew(const AircraftView& vehicle, const std::string& reas
   std::vector<Leg> prefix(vehicle.legs_done, point);
   if (!prefix.empty()) prefix.back().transfer_m = std::exchange(plan_.approach_m, {});
   plan_.legs.insert(plan_.legs.begin(), prefix.begin(), prefix.end());
-  for (Rendezvous& meeting : plan_.rendezvous)
-    meeting.id += static_cast<std::uint32_t>(2 * vehicle.legs_done);
+  for (Rendezvous& meeting : plan_.rendezvous) meeting.id += entry_id(vehicle.legs_done);
   plan_.legs_done = vehicle.legs_done;
   vehicle_ = vehicle;
   landed_since_s_ = vehicle.time_s;

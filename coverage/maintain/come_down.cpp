@@ -100,7 +100,7 @@ void PlanKeeper::land_at_once(std::vector<Leg> legs, std::size_t before_landing,
     later = plan_rest({legs, 0}, docked, next, flight, rest_params());
   if (later) {
     Rendezvous meeting = meeting_at(docked, down_s, *later->first);
-    meeting.id = static_cast<std::uint32_t>(2 * (next - 1));
+    meeting.id = exit_id(next - 1);
     rest.legs.insert(rest.legs.end(), later->legs.begin(), later->legs.end());
     rest.rendezvous = std::move(later->rendezvous);
     rest.rendezvous.insert(rest.rendezvous.begin(), meeting);

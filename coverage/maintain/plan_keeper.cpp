@@ -142,8 +142,8 @@ FlightCost PlanKeeper::flight_to(const Rendezvous* landing, const ScheduleStart&
   const FlightModel flight = model();
   const std::size_t size = plan_.legs.size();
   if (size == 0) return flight.landing(start.position_m);
-  const std::size_t past = landing != nullptr ? std::min(size, landing->id / 2 + std::size_t{1}) : size;
-  const bool at_entry = landing != nullptr && landing->id % 2 == 1 && past < size;
+  const std::size_t past = landing != nullptr ? std::min(size, legs_before(landing->id)) : size;
+  const bool at_entry = landing != nullptr && is_at_entry(landing->id) && past < size;
   if (past <= plan_.legs_done) {
     const Vec3 above = at_entry ? plan_.legs[past].entry_m : plan_.legs[past - 1].exit_m;
     return flight.transfer_and_land(start.position_m, start.direction, above);
@@ -175,7 +175,7 @@ void PlanKeeper::pass_meeting(const Vec3& from_m) {
     const Rendezvous& meeting = plan_.rendezvous[i];
     if (flat_distance(meeting.carry ? meeting.carry_to_m : meeting.site_m, from_m) > 2.0 * kAtSite_m)
       continue;
-    if (meeting.id / 2 > plan_.legs_done) break;
+    if (legs_before(meeting.id) > plan_.legs_done + 1) break;
     plan_.rendezvous.erase(plan_.rendezvous.begin(),
                            plan_.rendezvous.begin() + static_cast<std::ptrdiff_t>(i) + 1);
     break;
@@ -218,7 +218,7 @@ void PlanKeeper::follow_progress(const AircraftView& vehicle) {
   }
   // A meeting before a leg that is flown is over, whether it was kept or not.
   std::erase_if(plan_.rendezvous,
-                [&](const Rendezvous& meeting) { return meeting.id / 2 + 1 < plan_.legs_done; });
+                [&](const Rendezvous& meeting) { return legs_before(meeting.id) < plan_.legs_done; });
   if (vehicle.on_ground() || vehicle.leg_index != plan_.legs_done || plan_.legs_done >= plan_.legs.size())
     return;
   const Leg& leg = plan_.legs[plan_.legs_done];
@@ -325,7 +325,7 @@ bool PlanKeeper::on_robot(const RobotView& robot) {
   if (late < params_.time_tolerance_s || robot.time_s < last_shift_s_ + kShiftEvery_s) return false;
   last_shift_s_ = robot.time_s;
   const double land_s = next.land_s;
-  shift_times(plan_, next.id / 2 + 1, late);
+  shift_times(plan_, legs_before(next.id), late);
   next.land_s = land_s;
   next.arrive_by_s = land_s;
   next.wait_s = std::max(0.0, next.robot_arrives_s - land_s);

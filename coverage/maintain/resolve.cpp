@@ -224,11 +224,8 @@ bool PlanKeeper::solve_on_ground(const std::string& reason) {
   if (!found) return false;
   no_plan_.clear();
   Rendezvous meeting = meeting_at(start, vehicle_->time_s, *found->first);
-  // It meets the robot before the next leg, as if at its entry; before the first of all there is no number
-  // for that, and a landing right after would share it.
-  meeting.id = plan_.legs_done == 0 ? 0 : static_cast<std::uint32_t>(2 * plan_.legs_done - 1);
-  if (plan_.legs_done == 0)
-    std::erase_if(found->rendezvous, [&](const Rendezvous& r) { return r.id <= meeting.id; });
+  // It meets the robot before the next leg, as if at its entry.
+  meeting.id = entry_id(plan_.legs_done);
   found->rendezvous.insert(found->rendezvous.begin(), meeting);
   adopt(std::move(*found), reason);
   track_.reset();
@@ -241,10 +238,9 @@ bool PlanKeeper::solve_docked(const std::string& reason) {
   if (legs.empty() || plan_.rendezvous.empty()) return false;
   const FlightModel flight = model();
   Rendezvous meeting = plan_.rendezvous.front();
-  const bool stays_next = meeting.carry || meeting.id % 2 == 1;
+  const bool stays_next = meeting.carry || is_at_entry(meeting.id);
   // Landed before the leg at whose exit it was to land: now it is at the entry of the next.
-  if (plan_.legs_done > 0 && meeting.id / 2 >= plan_.legs_done)
-    meeting.id = static_cast<std::uint32_t>(2 * plan_.legs_done - 1);
+  if (legs_before(meeting.id) > plan_.legs_done) meeting.id = entry_id(plan_.legs_done);
   ScheduleStart start;
   start.kind = StartKind::kDocked;
   start.position_m = meeting.carry ? meeting.carry_to_m : meeting.site_m;
@@ -260,7 +256,6 @@ bool PlanKeeper::solve_docked(const std::string& reason) {
   if (!found) return false;
   meeting.charge_to = found->first->energy_to;
   meeting.depart_s = found->first->ready_s + params_.planning.lead_s;
-  std::erase_if(found->rendezvous, [&](const Rendezvous& r) { return r.id <= meeting.id; });
   found->rendezvous.insert(found->rendezvous.begin(), meeting);
   adopt(std::move(*found), reason);
   track_.reset();
@@ -286,7 +281,7 @@ bool PlanKeeper::top_up_charge() {
     return may_retry() && solve_docked("consumption is higher than predicted");
   // The sortie's consumption stays as predicted: both its ends are raised together.
   const double more = needs - meeting.charge_to;
-  const std::size_t past = next != nullptr ? next->id / 2 + std::size_t{1} : plan_.legs.size();
+  const std::size_t past = next != nullptr ? legs_before(next->id) : plan_.legs.size();
   for (std::size_t i = plan_.legs_done; i < past && i < plan_.legs.size(); ++i) {
     plan_.legs[i].energy_before += more;
     plan_.legs[i].energy_after += more;

@@ -213,9 +213,9 @@ LivePlan from_wire(const data::CoveragePlan& in, const Task& task, const planner
                          leg.transfer == Transfer::kFDTU;
     const bool at_entry = leg.transfer == Transfer::kFFDU || leg.transfer == Transfer::kFDUFDU;
     const double lift = model.take_off(next.entry_m).energy;
-    const auto add = [&](std::size_t id, const Vec3& above, double needs) {
+    const auto add = [&](std::uint32_t id, const Vec3& above, double needs) {
       Rendezvous meeting;
-      meeting.id = static_cast<std::uint32_t>(id);
+      meeting.id = id;
       meeting.site_m = model.ground(above);
       meeting.carry = leg.transfer == Transfer::kFDTU;
       meeting.carry_to_m = meeting.carry ? model.ground(next.entry_m) : meeting.site_m;
@@ -228,9 +228,9 @@ LivePlan from_wire(const data::CoveragePlan& in, const Task& task, const planner
     };
     const double hop = model.level(leg.exit_m, next.entry_m).energy;
     if (at_exit)
-      add(2 * i, leg.exit_m,
+      add(exit_id(i), leg.exit_m,
           leg.transfer == Transfer::kFDUFDU ? task.battery.capacity : next.energy_before + lift + hop);
-    if (at_entry) add(2 * i + 1, next.entry_m, next.energy_before + lift);
+    if (at_entry) add(entry_id(i + 1), next.entry_m, next.energy_before + lift);
   }
   return out;
 }

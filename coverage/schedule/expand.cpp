@@ -92,7 +92,7 @@ Expansion expand(std::span<const SubCell> sub_cells, std::span<const Visit> visi
       transfer = Transfer::kFFDU;
     }
     Rendezvous meeting;
-    meeting.id = static_cast<std::uint32_t>(2 * (first_index + leg) + (at_exit ? 0 : 1));
+    meeting.id = at_exit ? exit_id(first_index + leg) : entry_id(first_index + leg + 1);
     meeting.site_m = place(recharge.at, route, links.model());
     meeting.robot_arrives_s = recharge.robot_arrives_s;
     meeting.land_s = stops.sorties[k].land_s;

@@ -33,8 +33,14 @@ struct Leg {
   double end_s = 0.0;
 };
 
-/// A meeting of aircraft and ground robot. Ids grow along the plan: 2i at the exit of leg i, 2i + 1 at the
-/// entry of leg i + 1.
+/// Rendezvous ids grow along the plan: 2i at the entry of leg i, 2i + 1 at its exit.
+constexpr std::uint32_t entry_id(std::size_t leg) { return static_cast<std::uint32_t>(2 * leg); }
+constexpr std::uint32_t exit_id(std::size_t leg) { return static_cast<std::uint32_t>(2 * leg + 1); }
+constexpr bool is_at_entry(std::uint32_t id) { return id % 2 == 0; }
+/// How many legs of the plan come before it.
+constexpr std::size_t legs_before(std::uint32_t id) { return (std::size_t{id} + 1) / 2; }
+
+/// A meeting of aircraft and ground robot.
 struct Rendezvous {
   std::uint32_t id = 0;
   Vec3 site_m = Vec3::Zero();  ///< on the ground

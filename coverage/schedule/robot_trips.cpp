@@ -154,7 +154,7 @@ void Trips::apply(const std::vector<std::size_t>& fetches) {
   std::size_t leg = 0;
   for (std::size_t i = 0; i < stops_.size(); ++i) {
     Rendezvous& meeting = plan_.rendezvous[i];
-    for (; leg < plan_.legs.size() && leg <= meeting.id / 2; ++leg) {
+    for (; leg < plan_.legs.size() && leg < legs_before(meeting.id); ++leg) {
       plan_.legs[leg].start_s += shift_s;
       plan_.legs[leg].end_s += shift_s;
     }

@@ -215,7 +215,7 @@ void Replay::drive_robot_home() {
 void Replay::transfer(std::size_t i) {
   const Leg& leg = plan_.legs[i];
   const Leg& next = plan_.legs[i + 1];
-  const auto id = static_cast<std::uint32_t>(2 * i);
+  const auto id = static_cast<std::uint32_t>(2 * i + 1);
   const std::vector<Vec3> way = way_to_next(i);
   const double higher = std::max(leg.exit_m.z(), next.entry_m.z());
   switch (leg.transfer) {

@@ -75,12 +75,11 @@ Json items_of(const coverage::Plan& plan, const Vec3& home, const planner::GeoOr
     mission.at(kWaypoint, leg.exit_m);
     if (i + 1 == plan.legs.size()) break;
     const coverage::Leg& next = plan.legs[i + 1];
-    // Rendezvous ids are 2i at the exit of leg i and 2i + 1 at the entry of leg i + 1.
-    if (meeting != plan.rendezvous.end() && meeting->id == 2 * i) {
+    if (meeting != plan.rendezvous.end() && meeting->id == coverage::exit_id(i)) {
       add_meeting(*meeting++, next.entry_m.z(), mission);
     }
     for (const Vec3& corner : leg.transfer_m) mission.at(kWaypoint, corner);
-    if (meeting != plan.rendezvous.end() && meeting->id == 2 * i + 1) {
+    if (meeting != plan.rendezvous.end() && meeting->id == coverage::entry_id(i + 1)) {
       add_meeting(*meeting++, next.entry_m.z(), mission);
     }
   }

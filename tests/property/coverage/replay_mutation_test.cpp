@@ -18,7 +18,7 @@ using testing::HasSubstr;
 /// Spoils a plan; false where it has nothing to spoil.
 using Spoil = std::function<bool(Plan&, const Task&)>;
 
-std::size_t leg_after(const Rendezvous& meeting) { return meeting.id / 2 + 1; }
+std::size_t leg_after(const Rendezvous& meeting) { return legs_before(meeting.id); }
 
 /// Everything from a rendezvous' departure on happens earlier.
 void hasten(Plan& plan, std::size_t first, double by_s) {
@@ -39,7 +39,7 @@ void hasten(Plan& plan, std::size_t first, double by_s) {
 /// Less energy from a rendezvous' departure to the next landing, wherever the plan speaks of it.
 void weaken(Plan& plan, std::size_t at, double by) {
   const bool last = at + 1 == plan.rendezvous.size();
-  const std::size_t past = last ? plan.legs.size() : plan.rendezvous[at + 1].id / 2 + 1;
+  const std::size_t past = last ? plan.legs.size() : leg_after(plan.rendezvous[at + 1]);
   for (std::size_t i = leg_after(plan.rendezvous[at]); i < past; ++i) {
     plan.legs[i].energy_before -= by;
     plan.legs[i].energy_after -= by;
@@ -227,7 +227,7 @@ TEST(ReplayMutation, ALandingLeftOut) {
   expect_caught(
       [](Plan& plan, const Task&) {
         if (plan.rendezvous.empty()) return false;
-        plan.legs[plan.rendezvous[0].id / 2].transfer = Transfer::kFF;
+        plan.legs[leg_after(plan.rendezvous[0]) - 1].transfer = Transfer::kFF;
         return true;
       },
       "");

@@ -80,13 +80,13 @@ class TinyMission {
     Vec3 at = position_;
     // A planned landing at an entry that was not reached yet.
     if (from == From::kAir && flying_ && legs_done_ > 0 && !plan.rendezvous.empty() &&
-        plan.rendezvous.front().id == 2 * legs_done_ - 1 && legs_done_ < plan.legs.size()) {
+        plan.rendezvous.front().id == entry_id(legs_done_) && legs_done_ < plan.legs.size()) {
       hop(at, plan.legs[legs_done_].entry_m, legs_done_);
       land_below(plan.legs[legs_done_].entry_m, legs_done_);
       return;
     }
     if (from == From::kAir && flying_ && legs_done_ > 0 && !plan.rendezvous.empty() &&
-        plan.rendezvous.front().id == 2 * legs_done_ - 2) {
+        plan.rendezvous.front().id == exit_id(legs_done_ - 1)) {
       land_below(at, legs_done_ - 1);
       return;
     }

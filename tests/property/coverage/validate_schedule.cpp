@@ -74,7 +74,7 @@ class Judge {
     std::vector<std::uint32_t> out;
     for (std::size_t i = 0; i < plan_.legs.size(); ++i) {
       const Transfer t = plan_.legs[i].transfer;
-      const auto id = static_cast<std::uint32_t>(2 * i);
+      const auto id = static_cast<std::uint32_t>(2 * i + 1);
       if (t == Transfer::kFDUF || t == Transfer::kFDUFDU || t == Transfer::kFDTU) out.push_back(id);
       if (t == Transfer::kFFDU || t == Transfer::kFDUFDU) out.push_back(id + 1);
     }
@@ -94,8 +94,9 @@ class Judge {
       expect(r.energy_from >= task_.battery.reserve - kSmall, name + " is reached below the reserve");
       expect(r.charge_to <= task_.battery.capacity + kSmall && r.charge_to >= r.energy_from - kSmall,
              name + " charges out of range");
-      const auto leg = static_cast<std::size_t>(r.id / 2);
-      const Vec3& above = r.id % 2 == 0 ? plan_.legs.at(leg).exit_m : plan_.legs.at(leg + 1).entry_m;
+      // The leg before it.
+      const auto leg = static_cast<std::size_t>((r.id - 1) / 2);
+      const Vec3& above = r.id % 2 == 1 ? plan_.legs.at(leg).exit_m : plan_.legs.at(leg + 1).entry_m;
       expect(flat(above, r.site_m) < kSmall, name + " is not below its leg's end");
       if (r.carry)
         expect(flat(plan_.legs.at(leg + 1).entry_m, r.carry_to_m) < kSmall, name + " carries elsewhere");

@@ -80,8 +80,8 @@ inline Orders two_meetings() {
   orders.landing_s = 5.0;
   orders.take_off_s = 3.0;
   orders.meetings = {
-      Meeting{.id = 0, .site_m = Vec3(40, 0, 0), .charge_to = 80.0, .carry_to_m = {}},
-      Meeting{.id = 3, .site_m = Vec3(40, 60, 0), .charge_to = 100.0, .carry_to_m = Vec3(0, 60, 0)}};
+      Meeting{.id = 1, .site_m = Vec3(40, 0, 0), .charge_to = 80.0, .carry_to_m = {}},
+      Meeting{.id = 4, .site_m = Vec3(40, 60, 0), .charge_to = 100.0, .carry_to_m = Vec3(0, 60, 0)}};
   return orders;
 }
 

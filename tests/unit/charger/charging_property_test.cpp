@@ -32,7 +32,7 @@ Orders random_orders(Rng& rng) {
   for (std::uint64_t i = 0; i < count; ++i) {
     leg += 1 + static_cast<std::uint32_t>(rng.below(3));
     Meeting meeting;
-    meeting.id = 2 * leg + static_cast<std::uint32_t>(rng.below(2));
+    meeting.id = 2 * leg + 1 + static_cast<std::uint32_t>(rng.below(2));
     meeting.site_m = Vec3(rng.uniform(-100, 100), rng.uniform(-100, 100), rng.uniform(0, 10));
     meeting.charge_to = rng.uniform(10.0, 100.0);
     if (rng.below(3) == 0) meeting.carry_to_m = Vec3(rng.uniform(-100, 100), rng.uniform(-100, 100), 0.0);
@@ -67,7 +67,7 @@ void run_mission(std::uint64_t seed) {
       if (!landed && meet.time_s >= land_s) {
         landed = true;
         meet.partner.land_at(meeting.site_m + Vec3(rng.uniform(-0.6, 0.6), rng.uniform(-0.6, 0.6), 0));
-        meet.partner.legs_done = meeting.id / 2 + 1;
+        meet.partner.legs_done = (meeting.id + 1) / 2;
       }
       const State& state = meet.step(step_s);
       ASSERT_LE((state.position_m - before_m).head<2>().norm(), orders.speed_mps * step_s * (1 + 1e-9));

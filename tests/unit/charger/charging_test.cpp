@@ -36,7 +36,7 @@ TEST(Charging, DrivesToTheFirstSiteAndWaits) {
   EXPECT_NEAR(meet.charging.state().speed_mps, 2.0, 1e-9);
   ASSERT_TRUE(meet.reaches(Activity::kWaiting, 12.0));
   EXPECT_EQ(meet.charging.state().speed_mps, 0.0);
-  EXPECT_EQ(meet.charging.state().meeting_id, 0U);
+  EXPECT_EQ(meet.charging.state().meeting_id, 1U);
 }
 
 TEST(Charging, DoesNotTakeAVehicleThatHasNotFlownYet) {
@@ -77,7 +77,7 @@ TEST(Charging, HandlesChargesAndLetsGo) {
   meet.step();
   EXPECT_EQ(meet.charging.state().activity, Activity::kDriving);
   EXPECT_EQ(meet.charging.state().meetings_done, 1U);
-  EXPECT_EQ(meet.charging.state().meeting_id, 3U);
+  EXPECT_EQ(meet.charging.state().meeting_id, 4U);
   EXPECT_FALSE(meet.charging.state().has_vehicle);
 }
 
@@ -134,7 +134,7 @@ TEST(Charging, GoesOnToTheNextWhenAMeetingVanishes) {
   orders.meetings.erase(orders.meetings.begin());
   ASSERT_TRUE(meet.charging.set_orders(orders));
   ASSERT_TRUE(meet.reaches(Activity::kWaiting));
-  EXPECT_EQ(meet.charging.state().meeting_id, 3U);
+  EXPECT_EQ(meet.charging.state().meeting_id, 4U);
   orders.revision = 3;
   orders.meetings.clear();
   ASSERT_TRUE(meet.charging.set_orders(orders));
@@ -177,7 +177,7 @@ TEST(Charging, DoesNotGoBackToAFinishedMeetingThatIsStillListed) {
   meet.step();
   ASSERT_TRUE(meet.charging.set_orders(orders));
   meet.step();
-  EXPECT_EQ(meet.charging.state().meeting_id, 3U);
+  EXPECT_EQ(meet.charging.state().meeting_id, 4U);
 }
 
 TEST(Charging, ServesAVehicleThatCameBackOnceNewOrdersSaySo) {
@@ -188,12 +188,12 @@ TEST(Charging, ServesAVehicleThatCameBackOnceNewOrdersSaySo) {
   meet.run(3.0);
   meet.partner.land_at(Vec3(40, 0, 0));
   meet.run(1.0);
-  EXPECT_EQ(meet.charging.state().meeting_id, 3U) << "the old orders do not name it again";
+  EXPECT_EQ(meet.charging.state().meeting_id, 4U) << "the old orders do not name it again";
   Orders orders = two_meetings();
   orders.revision = 2;
   ASSERT_TRUE(meet.charging.set_orders(orders));
   ASSERT_TRUE(meet.reaches(Activity::kCharging, 30.0));
-  EXPECT_EQ(meet.charging.state().meeting_id, 0U);
+  EXPECT_EQ(meet.charging.state().meeting_id, 1U);
 }
 
 TEST(Charging, SkipsMeetingsThatTheVehicleHasLeftBehind) {
@@ -201,7 +201,7 @@ TEST(Charging, SkipsMeetingsThatTheVehicleHasLeftBehind) {
   meet.partner.fly_off();
   meet.partner.legs_done = 2;
   meet.step();
-  EXPECT_EQ(meet.charging.state().meeting_id, 3U);
+  EXPECT_EQ(meet.charging.state().meeting_id, 4U);
 }
 
 TEST(Charging, TakesOnAfterARestartWhereTheVehicleSaysItIsOnBoard) {
@@ -322,11 +322,11 @@ TEST(Charging, ChargesAsANewPlanSaysThatNumbersTheMeetingAnew) {
   ASSERT_TRUE(meet.reaches(Activity::kReady));
   Orders anew = two_meetings();
   anew.revision = 2;
-  anew.meetings[0].id = 1;
+  anew.meetings[0].id = 2;
   anew.meetings[0].charge_to = 95.0;
   ASSERT_TRUE(meet.charging.set_orders(anew));
   meet.step();
-  EXPECT_EQ(meet.charging.state().meeting_id, 1U);
+  EXPECT_EQ(meet.charging.state().meeting_id, 2U);
   ASSERT_TRUE(meet.reaches(Activity::kReady));
   EXPECT_NEAR(meet.partner.energy, 95.0, 0.5);
 }

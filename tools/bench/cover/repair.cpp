@@ -44,7 +44,7 @@ std::optional<Break> break_of(const Plan& plan, const Task& task, int left, Rng&
   Break out;
   out.leg = plan.legs.size() - ahead;
   const auto next = std::ranges::find_if(
-      plan.rendezvous, [&](const Rendezvous& meeting) { return meeting.id >= 2 * out.leg; });
+      plan.rendezvous, [&](const Rendezvous& meeting) { return legs_before(meeting.id) > out.leg; });
   if (next == plan.rendezvous.end()) return std::nullopt;
   const Leg& leg = plan.legs[out.leg];
   const double flown = rng.uniform(0.1, 0.9);

@@ -98,6 +98,36 @@ TEST_F(Replaced, AnotherAircraftElsewhereWaitsForTheRobotFirst) {
   EXPECT_GT(after.rendezvous.front().robot_arrives_s, now_s_ + 30.0);
 }
 
+/// Docked before leg 0, and a landing at that leg's exit: both are met, each under its own number.
+TEST_F(Replaced, AMeetingBeforeTheFirstLegSharesItsNumberWithNoLanding) {
+  Task weak = square_task();
+  weak.battery.capacity = 66.0;
+  auto made = PlanKeeper::make(weak, planner::Terrain::flat(0.0), {});
+  ASSERT_TRUE(made.ok()) << made.error().message;
+  keeper_.emplace(std::move(*made));
+  before_ = keeper_->plan();
+  for (std::size_t leg = 0; leg < 2; ++leg) fly(leg, 1.0);
+  now_s_ = before_.legs[1].end_s;
+  const Vec3 away(20.0, -15.0, 0.0);
+  ASSERT_TRUE(keeper_->on_vehicle(landed(away, 30.0)));
+  AircraftView docked = landed(away, 60.0);
+  docked.mode = AircraftMode::kDocked;
+  keeper_->on_vehicle(docked);
+  weak.revision = 2;
+  const Status changed = keeper_->change_task(weak);
+  ASSERT_TRUE(changed.ok()) << changed.error().message;
+  const LivePlan& plan = keeper_->plan();
+  ASSERT_EQ(plan.legs_done, 0U);
+  ASSERT_EQ(plan.legs.front().kind, LegKind::kCover);
+  const Transfer transfer = plan.legs.front().transfer;
+  ASSERT_TRUE(transfer == Transfer::kFDUF || transfer == Transfer::kFDTU) << "a battery does for one strip";
+  ASSERT_GE(plan.rendezvous.size(), 2U);
+  EXPECT_LT((plan.rendezvous[0].site_m - away).norm(), 0.1);
+  EXPECT_EQ(legs_before(plan.rendezvous[0].id), 0U);
+  EXPECT_EQ(plan.rendezvous[1].id, exit_id(0));
+  EXPECT_LT((plan.rendezvous[1].site_m - plan.legs[0].exit_m).head<2>().norm(), 0.1);
+}
+
 TEST_F(Replaced, AnotherAircraftAloftGoesOnFromWhereItIs) {
   AircraftView aloft = landed({80.0, 40.0, 25.0}, 30.0);
   aloft.mode = AircraftMode::kFlying;

@@ -23,7 +23,7 @@ class RobotTrips : public testing::Test {
     }
     for (std::uint32_t i = 0; i < 3; ++i) {
       Rendezvous meeting;
-      meeting.id = 2 * i;
+      meeting.id = exit_id(i);
       meeting.site_m = meeting.carry_to_m = Vec3(100, 0, 0);
       meeting.robot_arrives_s = i == 0 ? 50.0 : plan_.rendezvous.back().depart_s;
       meeting.land_s = lands_s_[i];

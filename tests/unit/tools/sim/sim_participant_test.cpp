@@ -72,7 +72,7 @@ class SimParticipantTest : public testing::Test {
     meetings.landing_s = 2.0;
     meetings.take_off_s = 2.0;
     meetings.start = {-20, 5, 0};
-    meetings.rendezvous.push_back({.rendezvous_id = 0,
+    meetings.rendezvous.push_back({.rendezvous_id = 1,
                                    .site = {100, 5, 0},
                                    .arrive_by_s = 30,
                                    .depart_s = 60,
