@@ -27,7 +27,8 @@ target_compile_options(swallowtail_flags INTERFACE
 target_compile_options(swallowtail_flags INTERFACE -ffp-contract=off)
 if(SWALLOWTAIL_SANITIZE)
   target_compile_options(swallowtail_flags INTERFACE -fsanitize=${SWALLOWTAIL_SANITIZE} -fno-omit-frame-pointer
-                                                     -fno-sanitize-recover=all)
+                                                     -fno-sanitize-recover=all
+                                                     -Wno-maybe-uninitialized)  # false where GCC instruments
   target_link_options(swallowtail_flags INTERFACE -fsanitize=${SWALLOWTAIL_SANITIZE})
 endif()
 
@@ -60,11 +61,15 @@ function(swallowtail_program name)
   install(TARGETS ${name} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 endfunction()
 
-# swallowtail_test(NAME SOURCES ... LINK ... [LABELS ...] [TIMEOUT seconds]): one GoogleTest executable, one ctest entry
+# swallowtail_test(NAME SOURCES ... LINK ... [LABELS ...] [TIMEOUT seconds]): one GoogleTest executable, one ctest entry;
+#   under sanitizers it may take ten times as long
 function(swallowtail_test name)
   cmake_parse_arguments(ARG "" "TIMEOUT" "SOURCES;LINK;LABELS;ENVIRONMENT" ${ARGN})
   if(NOT ARG_TIMEOUT)
     set(ARG_TIMEOUT 60)
+  endif()
+  if(SWALLOWTAIL_SANITIZE)
+    math(EXPR ARG_TIMEOUT "10 * ${ARG_TIMEOUT}")
   endif()
   if(NOT ARG_LABELS)
     set(ARG_LABELS unit)
