@@ -6,7 +6,6 @@
 #include <numeric>
 #include <optional>
 
-#include "coverage/fleet/encounters.hpp"
 #include "coverage/fleet/parts.hpp"
 #include "coverage/fleet/starts.hpp"
 #include "coverage/schedule/expand.hpp"
@@ -81,15 +80,14 @@ std::optional<Plan> plan_of(const Plan& whole, std::span<const Visit> visits, co
 
 /// Delays by rank: who comes first keeps its times. Nothing when one of them finds no time; its place in the
 /// ranks is then in `stuck`.
-std::optional<std::vector<std::vector<double>>> delays_in(const std::vector<std::size_t>& ranks,
-                                                          const std::vector<Member>& members,
-                                                          const std::vector<Trace>& traces,
-                                                          const Separation& separation,
-                                                          const FlightModel& model, std::size_t& stuck) {
+std::optional<std::vector<Delays>> delays_in(const std::vector<std::size_t>& ranks,
+                                             const std::vector<Member>& members,
+                                             const std::vector<Trace>& traces, const Separation& separation,
+                                             const FlightModel& model, std::size_t& stuck) {
   const double most_s = std::accumulate(traces.begin(), traces.end(), 0.0,
                                         [](double sum, const Trace& trace) { return sum + trace.end_s; });
   std::vector<Trace> placed;
-  std::vector<std::vector<double>> out(members.size());
+  std::vector<Delays> out(members.size());
   for (std::size_t rank = 0; rank < ranks.size(); ++rank) {
     const std::size_t k = ranks[rank];
     const auto delays = delays_of(traces[k], placed, separation, most_s);
@@ -99,7 +97,7 @@ std::optional<std::vector<std::vector<double>>> delays_in(const std::vector<std:
     }
     Plan plan = members[k].plan;
     delay(plan, traces[k], *delays);
-    placed.push_back(trace_of(plan, members[k].task.start_m, model));
+    placed.push_back(trace_of(plan, members[k].task, model));
     out[k] = *delays;
   }
   return out;
@@ -148,7 +146,7 @@ std::vector<std::vector<int>> ways_of_fleet(std::size_t aircraft) {
 /// The longest first; one that finds no time is heard before all others.
 Status separate(std::vector<Member>& members, const Separation& separation, const FlightModel& model) {
   std::vector<Trace> traces;
-  for (const Member& member : members) traces.push_back(trace_of(member.plan, member.task.start_m, model));
+  for (const Member& member : members) traces.push_back(trace_of(member.plan, member.task, model));
   std::vector<std::size_t> ranks(members.size());
   std::iota(ranks.begin(), ranks.end(), std::size_t{0});
   std::ranges::stable_sort(ranks, std::ranges::greater{}, [&](std::size_t k) { return traces[k].end_s; });
@@ -162,7 +160,7 @@ Status separate(std::vector<Member>& members, const Separation& separation, cons
     }
     for (std::size_t k = 0; k < members.size(); ++k) {
       delay(members[k].plan, traces[k], (*delays)[k]);
-      members[k].delay_s = (*delays)[k].back();
+      members[k].delay_s = (*delays)[k].stretch_s.back();
     }
     return {};
   }
@@ -202,7 +200,7 @@ Status keep_apart(const std::function<std::vector<Member>(const std::vector<int>
 /// Once more, on what is handed out.
 bool keeps(const std::vector<Member>& members, const Separation& separation, const FlightModel& model) {
   std::vector<Trace> traces;
-  for (const Member& member : members) traces.push_back(trace_of(member.plan, member.task.start_m, model));
+  for (const Member& member : members) traces.push_back(trace_of(member.plan, member.task, model));
   for (std::size_t i = 0; i < traces.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
       if (conflict(traces[i], traces[j], separation)) return false;
@@ -258,7 +256,6 @@ Result<FleetPlan> plan_fleet(const Task& task, const planner::Terrain& terrain, 
   if (!separated) return separated.error();
   if (!keeps(out.members, fleet.separation, model))
     return internal_error("Two aircraft of the schedule found come too close.");
-  out.encounters = encounters_of(out.members, fleet.separation.landed_m);
   return out;
 }
 

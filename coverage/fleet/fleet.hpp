@@ -28,28 +28,19 @@ struct Member {
   double delay_s = 0.0;  ///< waited on the ground to keep its distance
 };
 
-/// Two ground robots nearer than Separation::landed_m while one of them drives: told, not prevented.
-struct Encounter {
-  std::size_t one = 0;  ///< indices of members
-  std::size_t other = 0;
-  double time_s = 0.0;  ///< when they are nearest
-  double distance_m = 0.0;
-  Vec2 place_m = Vec2::Zero();  ///< of the first
-};
-
 struct FleetPlan {
   std::vector<Member> members;
   double makespan_s = 0.0;  ///< until the last landing of all
   double alone_s = 0.0;     ///< one aircraft's
   Separation separation;
-  std::vector<Encounter> encounters;  ///< the nearest of each pair
-  std::string note;                   ///< a sentence when fewer aircraft are used than were asked for
+  std::string note;  ///< a sentence when fewer aircraft are used than were asked for
 };
 
 /// Several aircraft of the task's type, each with its own ground robot, for one task: each sub-cell is flown
 /// by one of them; at all times any two teams keep the separation, waiting on the ground where they must;
-/// this holds for landed aircraft too (the last landing's place included) and for robots at their rendezvous;
-/// robots on the road are not kept apart (see encounters). Deterministic as plan_coverage. Errors: those of
+/// this holds for landed aircraft too (the last landing's place included) and for robots wherever they stand
+/// or drive. A robot leaves for its rendezvous in time to arrive when the plan says, and not before it is
+/// free. Deterministic as plan_coverage. Errors: those of
 /// plan_coverage; (kBadInput) fewer than one aircraft or more than sub-cells or than kMaxAircraft, a
 /// separation that is not positive, starts that are too few, too near each other or barred; (kInfeasible) no
 /// shares can be flown, or no delays keep the separation.

@@ -3,7 +3,10 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
+
+#include "coverage/fleet/drives.hpp"
 
 namespace swallowtail::coverage {
 namespace {
@@ -14,11 +17,12 @@ constexpr double kAboveStart_m = 1e-3;
 
 class Tracer {
  public:
-  Tracer(const Plan& plan, const FlightModel& model) : plan_(plan), model_(model) {}
+  Tracer(const Plan& plan, const Task& task, const FlightModel& model)
+      : plan_(plan), charger_(task.charger), model_(model), robot_m_(model.ground(task.charger.start_m)) {}
 
   Trace run(const Vec3& start_m) {
     const Vec3 site = model_.ground(start_m);
-    take_off({{site}, 0.0, plan_.take_off_s, {}}, site);
+    take_off({{site, robot_m_}, 0.0, plan_.take_off_s, {}, {}}, site);
     const Vec3& first = plan_.legs.front().entry_m;
     if ((site - first).head<2>().norm() >= kAboveStart_m) fly_way(Vec3(site.x(), site.y(), first.z()), first);
     for (std::size_t i = 0; i < plan_.legs.size(); ++i) {
@@ -30,6 +34,7 @@ class Tracer {
     land();
     out_.end_m = at_m_;
     out_.end_s = time_s_;
+    go_home();
     return std::move(out_);
   }
 
@@ -37,6 +42,8 @@ class Tracer {
   void take_off(Stretch stretch, const Vec3& site) {
     at_m_ = site;
     time_s_ = stretch.take_off_s;
+    stretch.drive.from_m = robot_m_;
+    stretch.drive.free_s = time_s_;
     before_.reset();
     out_.stretches.push_back(std::move(stretch));
   }
@@ -63,13 +70,52 @@ class Tracer {
   }
   void land() { fly_to(Vec3(at_m_.x(), at_m_.y(), std::min(at_m_.z(), model_.ground(at_m_).z()))); }
 
+  /// Adds a drive that ends at a time, and moves on where the robot is.
+  void drive(const std::vector<Vec3>& bends_m, const Vec3& to_m, double arrives_s) {
+    std::vector<TimedPiece>& pieces = out_.stretches.back().drive.pieces;
+    std::vector<TimedPiece> driven = drive_of(charger_, model_, robot_m_, bends_m, to_m, 0.0);
+    const double leaves_s = driven.empty() ? arrives_s : arrives_s - driven.back().end_s;
+    if (!pieces.empty() && leaves_s > pieces.back().end_s)
+      pieces.push_back({robot_m_, robot_m_, pieces.back().end_s, leaves_s, true});
+    for (TimedPiece& piece : driven) {
+      piece.start_s += leaves_s;
+      piece.end_s += leaves_s;
+      pieces.push_back(piece);
+    }
+    robot_m_ = to_m;
+  }
+  void go_home() {
+    Drive& last = out_.stretches.back().drive;
+    last.until_s = std::numeric_limits<double>::infinity();
+    if (plan_.robot_home_s > 0.0)
+      drive(plan_.home_bends_m, model_.ground(charger_.start_m), plan_.robot_home_s);
+  }
+  void drive_to(std::size_t index) {
+    const Rendezvous& meeting = plan_.rendezvous[index];
+    if (depot_visits_ < plan_.depot_visits.size() && plan_.depot_visits[depot_visits_].before == index) {
+      const DepotVisit& visit = plan_.depot_visits[depot_visits_++];
+      drive(visit.bends_m, model_.ground(charger_.start_m), visit.arrives_s);
+    }
+    drive(meeting.robot_bends_m, meeting.site_m, meeting.robot_arrives_s);
+    out_.stretches.back().drive.until_s = time_s_;
+  }
+
   void meet() {
-    const Rendezvous& meeting = plan_.rendezvous[meetings_++];
     land();
+    drive_to(meetings_);
+    const Rendezvous& meeting = plan_.rendezvous[meetings_++];
     Stretch next;
     next.stands_m.push_back(meeting.site_m);
-    if (meeting.carry) next.stands_m.push_back(meeting.carry_to_m);
-    next.stands_from_s = std::min(meeting.robot_arrives_s, time_s_);
+    if (meeting.carry) {
+      next.stands_m.push_back(meeting.carry_to_m);
+      const double docked_s = std::max(meeting.robot_arrives_s, time_s_) + charger_.landing_s;
+      const std::vector<TimedPiece> carried =
+          drive_of(charger_, model_, meeting.site_m, meeting.carry_bends_m, meeting.carry_to_m, docked_s);
+      std::vector<TimedPiece>& pieces = out_.stretches.back().pieces;
+      pieces.insert(pieces.end(), carried.begin(), carried.end());
+      robot_m_ = meeting.carry_to_m;
+    }
+    next.stands_from_s = time_s_;
     next.take_off_s = meeting.depart_s;
     take_off(std::move(next), meeting.carry ? meeting.carry_to_m : meeting.site_m);
   }
@@ -86,18 +132,43 @@ class Tracer {
   }
 
   const Plan& plan_;
+  const Charger& charger_;
   const FlightModel& model_;
+  Vec3 robot_m_;
   Trace out_;
   Vec3 at_m_ = Vec3::Zero();
   double time_s_ = 0.0;
   std::optional<Vec3> before_;
   std::size_t meetings_ = 0;
+  std::size_t depot_visits_ = 0;
 };
 
 }  // namespace
 
-Trace trace_of(const Plan& plan, const Vec3& start_m, const FlightModel& model) {
-  return Tracer(plan, model).run(start_m);
+TimedPiece standing(const Vec3& at_m, double from_s, double to_s) { return {at_m, at_m, from_s, to_s, true}; }
+
+TimedPiece Drive::stand_before() const {
+  return standing(from_m, free_s, pieces.empty() ? until_s : pieces.front().start_s);
+}
+TimedPiece Drive::stand_after() const { return standing(pieces.back().to_m, pieces.back().end_s, until_s); }
+
+std::vector<TimedPiece> pieces_of(const Trace& trace) {
+  std::vector<TimedPiece> out;
+  for (const Stretch& stretch : trace.stretches) {
+    for (const Vec3& stand : stretch.stands_m)
+      out.push_back(standing(stand, stretch.stands_from_s, stretch.take_off_s));
+    out.insert(out.end(), stretch.pieces.begin(), stretch.pieces.end());
+    out.push_back(stretch.drive.stand_before());
+    if (stretch.drive.pieces.empty()) continue;
+    out.insert(out.end(), stretch.drive.pieces.begin(), stretch.drive.pieces.end());
+    out.push_back(stretch.drive.stand_after());
+  }
+  out.push_back(standing(trace.end_m, trace.end_s, std::numeric_limits<double>::infinity()));
+  return out;
+}
+
+Trace trace_of(const Plan& plan, const Task& task, const FlightModel& model) {
+  return Tracer(plan, task, model).run(task.start_m);
 }
 
 }  // namespace swallowtail::coverage

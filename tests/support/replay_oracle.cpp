@@ -166,6 +166,7 @@ void Replay::meet(std::uint32_t id, const Vec3& below) {
   visit_depot(name);
   const double arrives = robot_.free_s + robot_.drive_to(r.robot_bends_m, r.site_m, verdict_.faults);
   at_least(name + ", robot's arrival", r.robot_arrives_s, arrives - question_.time_tolerance_s);
+  robot_.tell(question_.watch_robot, r.robot_arrives_s);
   const double wait = std::max(0.0, r.robot_arrives_s - flight_.time_s);
   claim(name + " waiting", r.wait_s, wait, question_.time_tolerance_s);
   const double docked = flight_.time_s + wait + task_.charger.landing_s;
@@ -178,7 +179,11 @@ void Replay::meet(std::uint32_t id, const Vec3& below) {
   robot_.give(std::max(0.0, r.charge_to - held));
   if (r.charge_to > r.energy_from + 1e-9) ++recharges_;
   double together = charging_s(task_, held, r.charge_to);
-  if (r.carry) together = std::max(together, robot_.drive_to(r.carry_bends_m, r.carry_to_m, verdict_.faults));
+  if (r.carry) {
+    const double carry_s = robot_.drive_to(r.carry_bends_m, r.carry_to_m, verdict_.faults);
+    robot_.tell(question_.watch_robot, docked + carry_s);
+    together = std::max(together, carry_s);
+  }
   at_least(name + ", departure", r.depart_s + question_.time_tolerance_s * 2.0,
            docked + together + task_.charger.take_off_s + question_.lead_s);
   robot_.free_s = r.depart_s;
@@ -197,6 +202,7 @@ void Replay::visit_depot(const std::string& name) {
   at_least(name + ", the robot's energy when back at its depot", robot_.held + kSlack, 0.0);
   at_least(name + ", the robot's arrival at its depot", visit.arrives_s,
            there_s - question_.time_tolerance_s);
+  robot_.tell(question_.watch_robot, visit.arrives_s);
   at_least(name + ", the robot's departure from its depot", visit.leaves_s,
            there_s + task_.charger.battery.refill_s - question_.time_tolerance_s);
   robot_.free_s = visit.leaves_s;
@@ -210,6 +216,7 @@ void Replay::drive_robot_home() {
       robot_.free_s + robot_.drive_to(plan_.home_bends_m, task_.charger.start_m, verdict_.faults);
   at_least("the robot's energy when it is home", robot_.held + kSlack, 0.0);
   at_least("the robot's arrival at home", plan_.robot_home_s, home_s - question_.time_tolerance_s);
+  robot_.tell(question_.watch_robot, plan_.robot_home_s);
 }
 
 void Replay::transfer(std::size_t i) {

@@ -13,9 +13,10 @@ namespace swallowtail::test_support {
 struct ReplayQuestion {
   GroundAt ground_m;
   ReplayRoads robot;
-  double take_off_s = 0.0;  ///< the aircraft waits at its start so long
-  double lead_s = 1.0;      ///< from ready until the aircraft leaves the ground
-  Watch watch{};            ///< of the whole flight
+  double take_off_s = 0.0;   ///< the aircraft waits at its start so long
+  double lead_s = 1.0;       ///< from ready until the aircraft leaves the ground
+  Watch watch{};             ///< of the whole flight
+  DriveWatch watch_robot{};  ///< it leaves in time to arrive when the plan says
   double energy_margin =
       0.0;                    ///< share of a flight's energy that must be left besides the reserve on landing
   double energy_spare = 0.0;  ///< besides

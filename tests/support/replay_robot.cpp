@@ -100,14 +100,26 @@ double ReplayRobot::piece_s(const Vec3& to_m, std::vector<std::string>& faults) 
 double ReplayRobot::drive_to(const std::vector<Vec3>& bends_m, const Vec3& place_m,
                              std::vector<std::string>& faults) {
   double time = 0.0;
-  for (const Vec3& bend : bends_m) {
-    time += piece_s(bend, faults);
-    at_m_ = bend;
-  }
-  time += piece_s(place_m, faults);
-  at_m_ = place_m;
+  last_.clear();
+  const auto drive = [&](const Vec3& to_m) {
+    last_.push_back({at_m_, to_m, piece_s(to_m, faults)});
+    time += last_.back().time_s;
+    at_m_ = to_m;
+  };
+  for (const Vec3& bend : bends_m) drive(bend);
+  drive(place_m);
   held -= time * task_.charger.battery.drive_per_s;
   return time;
+}
+
+void ReplayRobot::tell(const DriveWatch& watch, double arrives_s) const {
+  if (!watch) return;
+  double time_s = arrives_s;
+  for (const Piece& piece : last_) time_s -= piece.time_s;
+  for (const Piece& piece : last_) {
+    watch(time_s, piece.from_m, time_s + piece.time_s, piece.to_m);
+    time_s += piece.time_s;
+  }
 }
 
 }  // namespace swallowtail::test_support

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <limits>
 #include <string>
 #include <vector>
@@ -21,6 +22,10 @@ struct ReplayRoads {
   double slope_max_rad = std::numeric_limits<double>::infinity();
 };
 
+/// Told of every straight piece that the robot drives.
+using DriveWatch =
+    std::function<void(double leaves_s, const Vec3& from_m, double arrives_s, const Vec3& to_m)>;
+
 /// Where the ground robot is, and when it may leave.
 class ReplayRobot {
  public:
@@ -35,6 +40,9 @@ class ReplayRobot {
   /// drive.
   double drive_to(const std::vector<Vec3>& bends_m, const Vec3& place_m, std::vector<std::string>& faults);
 
+  /// Tells of the last drive, which ended then.
+  void tell(const DriveWatch& watch, double arrives_s) const;
+
   /// Energy that is given to the aircraft.
   void give(double energy) { held -= energy * task_.charger.battery.per_charged; }
 
@@ -48,6 +56,12 @@ class ReplayRobot {
   const ReplayRoads& roads_;
   const GroundAt& ground_;
   Vec3 at_m_;
+  struct Piece {
+    Vec3 from_m;
+    Vec3 to_m;
+    double time_s;
+  };
+  std::vector<Piece> last_;
 };
 
 }  // namespace swallowtail::test_support

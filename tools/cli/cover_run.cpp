@@ -3,8 +3,6 @@
 #include <memory>
 #include <utility>
 
-#include <fmt/core.h>
-
 #include "planner/base/clock.hpp"
 #include "tools/cli/cover_check.hpp"
 
@@ -34,20 +32,6 @@ Covered cover_one(const coverage::Task& task, const planner::Terrain& terrain,
   return out;
 }
 
-/// What is to be known of a fleet's plan, where the task's notes stand.
-void add_notes(coverage::FleetPlan& planned) {
-  std::vector<std::string>& notes = planned.members.front().plan.notes;
-  if (!planned.note.empty()) notes.push_back(planned.note);
-  for (const coverage::Encounter& meeting : planned.encounters) {
-    notes.push_back(
-        fmt::format("Ground robots {} and {} come within {:.1f} m of each other at {:.0f} s, near {}: their "
-                    "drives are not "
-                    "kept apart.",
-                    meeting.one + 1, meeting.other + 1, meeting.distance_m, meeting.time_s,
-                    coverage::place_text(meeting.place_m)));
-  }
-}
-
 }  // namespace
 
 std::vector<Covered> cover_task(const coverage::Task& task, const planner::Terrain& terrain,
@@ -65,7 +49,7 @@ std::vector<Covered> cover_task(const coverage::Task& task, const planner::Terra
   };
   auto planned = coverage::plan_useful_fleet(task, terrain, options, asked);
   if (!planned) return refused(planned.error().message);
-  add_notes(*planned);
+  if (!planned->note.empty()) planned->members.front().plan.notes.push_back(planned->note);
   std::vector<Covered> out;
   for (coverage::Member& member : planned->members) {
     const std::vector<std::string> faults = check_cover(member.plan, member.task);

@@ -45,10 +45,10 @@ class Log {
     for (long tick = tick_of(from_s) + 1; static_cast<double>(tick) * kTick_s <= to_s; ++tick)
       places_[tick].push_back({at_m, true});
   }
-  void fly(double from_s, const Vec3& from_m, double to_s, const Vec3& to_m) {
+  void move(double from_s, const Vec3& from_m, double to_s, const Vec3& to_m, bool is_landed) {
     for (long tick = tick_of(from_s) + 1; static_cast<double>(tick) * kTick_s <= to_s; ++tick) {
       const double share = (static_cast<double>(tick) * kTick_s - from_s) / (to_s - from_s);
-      places_[tick].push_back({from_m + (to_m - from_m) * share, false});
+      places_[tick].push_back({from_m + (to_m - from_m) * share, is_landed});
     }
   }
   const std::map<long, std::vector<Body>>& places() const { return places_; }
@@ -58,7 +58,46 @@ class Log {
   std::map<long, std::vector<Body>> places_;
 };
 
-/// Flown by the replay, which says where the aircraft is; what stands meanwhile is taken from the plan.
+/// Where the replay drives the robot, and where it stands in between: on the ground below.
+class RobotLog {
+ public:
+  RobotLog(Log& log, const Member& member, const test_support::GroundAt& ground)
+      : log_(log), ground_(ground), at_m_(member.task.charger.start_m) {}
+  void drive(double leaves_s, const Vec3& from_m, double arrives_s, const Vec3& to_m) {
+    stand(leaves_s);
+    // Heights change on the way.
+    const int parts = std::max(1, static_cast<int>(std::ceil((to_m - from_m).head<2>().norm())));
+    for (int i = 0; i < parts; ++i) {
+      const auto at = [&](int part) {
+        const Vec3 flat = from_m + (to_m - from_m) * (static_cast<double>(part) / parts);
+        return Vec3(flat.x(), flat.y(), ground_(flat.x(), flat.y()));
+      };
+      const double part_s = (arrives_s - leaves_s) / parts;
+      log_.move(leaves_s + i * part_s, at(i), leaves_s + (i + 1) * part_s, at(i + 1), true);
+    }
+    at_m_ = to_m;
+    time_s_ = arrives_s;
+  }
+  void stand(double until_s) {
+    log_.stand(Vec3(at_m_.x(), at_m_.y(), ground_(at_m_.x(), at_m_.y())), time_s_, until_s);
+  }
+
+ private:
+  Log& log_;
+  const test_support::GroundAt& ground_;
+  Vec3 at_m_;
+  double time_s_ = -kTick_s / 2.0;
+};
+
+/// When nothing moves any more.
+double end_of(const FleetPlan& fleet) {
+  double out = fleet.makespan_s;
+  for (const Member& member : fleet.members) out = std::max(out, member.plan.robot_home_s);
+  return out;
+}
+
+/// Flown and driven by the replay, which says where aircraft and robot are; what stands meanwhile is taken
+/// from the plan.
 Log log_of(const Member& member, const test::ReplayTask& random, double until_s,
            std::vector<std::string>& faults) {
   Log out;
@@ -71,7 +110,7 @@ Log log_of(const Member& member, const test::ReplayTask& random, double until_s,
     const bool stands_anew = before_s < 0.0 || at_m.head<2>() != before_m.head<2>();
     const bool is_aloft = before_s >= 0.0 && time_s - before_s <= 2.0 * question.step_s;
     if (is_aloft) {
-      out.fly(before_s, before_m, time_s, at_m);
+      out.move(before_s, before_m, time_s, at_m, false);
     } else if (before_s >= 0.0) {
       out.stand(before_m, before_s, time_s);
       if (stands_anew) out.stand(at_m, before_s, time_s);
@@ -81,7 +120,12 @@ Log log_of(const Member& member, const test::ReplayTask& random, double until_s,
     before_s = time_s;
     before_m = at_m;
   };
+  RobotLog robot(out, member, question.ground_m);
+  question.watch_robot = [&](double leaves_s, const Vec3& from_m, double arrives_s, const Vec3& to_m) {
+    robot.drive(leaves_s, from_m, arrives_s, to_m);
+  };
   faults = test_support::replay(member.task, member.plan, question).faults;
+  robot.stand(until_s);
   for (const Rendezvous& meeting : member.plan.rendezvous) {
     out.stand(meeting.site_m, std::min(meeting.robot_arrives_s, meeting.land_s), meeting.depart_s);
     if (meeting.carry) out.stand(meeting.carry_to_m, meeting.land_s, meeting.depart_s);
@@ -100,7 +144,8 @@ double worst_breach_m(const Log& a, const Log& b, const Separation& separation) 
         const double level = std::hypot(p.x() - q.x(), p.y() - q.y());
         const double upright = std::abs(p.z() - q.z());
         const double asked = p_landed || q_landed ? separation.landed_m : separation.horizontal_m;
-        worst_m = std::max(worst_m, std::min(asked - level, separation.vertical_m - upright));
+        const double below = p_landed && q_landed ? asked : separation.vertical_m - upright;
+        worst_m = std::max(worst_m, std::min(asked - level, below));
       }
     }
   }
@@ -148,7 +193,7 @@ TEST(FleetProperty, TeamsCoverTheTaskOnceAndKeepTheirDistance) {
     std::vector<Log> logs;
     for (const Member& member : fleet->members) {
       std::vector<std::string> faults;
-      logs.push_back(log_of(member, random, fleet->makespan_s, faults));
+      logs.push_back(log_of(member, random, end_of(*fleet), faults));
       EXPECT_THAT(faults, IsEmpty());
       EXPECT_LE(member.plan.makespan_s, fleet->makespan_s);
       for (const Leg& leg : member.plan.legs) flown.insert(leg.sub_cell_id);
