@@ -6,6 +6,7 @@
 #include <numeric>
 #include <optional>
 
+#include "coverage/fleet/apart.hpp"
 #include "coverage/fleet/parts.hpp"
 #include "coverage/fleet/starts.hpp"
 #include "coverage/schedule/expand.hpp"
@@ -17,13 +18,6 @@ namespace {
 
 /// Starts stand farther apart than the separation asks by this.
 constexpr double kStartSlack_m = 1.0;
-
-std::string number(double value) {
-  std::string out = std::to_string(value);
-  out.erase(out.find_last_not_of('0') + 1);
-  if (out.back() == '.') out.pop_back();
-  return out;
-}
 
 Status validate(const FleetOptions& fleet) {
   if (fleet.aircraft < 1 || fleet.aircraft > kMaxAircraft)
@@ -78,31 +72,6 @@ std::optional<Plan> plan_of(const Plan& whole, std::span<const Visit> visits, co
   return out;
 }
 
-/// Delays by rank: who comes first keeps its times. Nothing when one of them finds no time; its place in the
-/// ranks is then in `stuck`.
-std::optional<std::vector<Delays>> delays_in(const std::vector<std::size_t>& ranks,
-                                             const std::vector<Member>& members,
-                                             const std::vector<Trace>& traces, const Separation& separation,
-                                             const FlightModel& model, std::size_t& stuck) {
-  const double most_s = std::accumulate(traces.begin(), traces.end(), 0.0,
-                                        [](double sum, const Trace& trace) { return sum + trace.end_s; });
-  std::vector<Trace> placed;
-  std::vector<Delays> out(members.size());
-  for (std::size_t rank = 0; rank < ranks.size(); ++rank) {
-    const std::size_t k = ranks[rank];
-    const auto delays = delays_of(traces[k], placed, separation, most_s);
-    if (!delays) {
-      stuck = rank;
-      return std::nullopt;
-    }
-    Plan plan = members[k].plan;
-    delay(plan, traces[k], *delays);
-    placed.push_back(trace_of(plan, members[k].task, model));
-    out[k] = *delays;
-  }
-  return out;
-}
-
 using Visits = std::vector<Visit>;
 
 /// Other ends for an aircraft whose last landing is in another's way.
@@ -117,6 +86,8 @@ Visits way_of(const Visits& visits, int way) {
 /// Of so many ways that can be kept apart the best is taken; none is looked for any more when waiting costs
 /// but a share of the makespan.
 constexpr int kFoundWays = 20;
+/// And none is looked for when so many cannot.
+constexpr int kFailedWays = 30;
 constexpr double kEnough = 1.01;
 
 double last_landing_s(const std::vector<Member>& members) {
@@ -143,49 +114,32 @@ std::vector<std::vector<int>> ways_of_fleet(std::size_t aircraft) {
   return out;
 }
 
-/// The longest first; one that finds no time is heard before all others.
-Status separate(std::vector<Member>& members, const Separation& separation, const FlightModel& model) {
-  std::vector<Trace> traces;
-  for (const Member& member : members) traces.push_back(trace_of(member.plan, member.task, model));
-  std::vector<std::size_t> ranks(members.size());
-  std::iota(ranks.begin(), ranks.end(), std::size_t{0});
-  std::ranges::stable_sort(ranks, std::ranges::greater{}, [&](std::size_t k) { return traces[k].end_s; });
-  std::size_t stuck = 0;
-  for (std::size_t attempt = 0; attempt <= members.size() * members.size(); ++attempt) {
-    const auto delays = delays_in(ranks, members, traces, separation, model, stuck);
-    if (!delays) {
-      const auto at = ranks.begin() + static_cast<std::ptrdiff_t>(stuck);
-      std::rotate(ranks.begin(), at, at + 1);
-      continue;
-    }
-    for (std::size_t k = 0; k < members.size(); ++k) {
-      delay(members[k].plan, traces[k], (*delays)[k]);
-      members[k].delay_s = (*delays)[k].stretch_s.back();
-    }
-    return {};
-  }
-  return infeasible("No waiting on the ground keeps " + std::to_string(members.size()) + " aircraft " +
-                    number(separation.horizontal_m) + " m apart horizontally or " +
-                    number(separation.vertical_m) + " m vertically: aircraft " +
-                    std::to_string(ranks.front() + 1) +
-                    " finds no time. Fewer aircraft or smaller distances may do.");
-}
+using MembersOf = std::function<Result<std::vector<Member>>(const std::vector<int>&)>;
 
-/// The best of some ways that can be kept apart. `members_of` gives fewer members where a way cannot be
-/// flown.
-Status keep_apart(const std::function<std::vector<Member>(const std::vector<int>&)>& members_of,
-                  std::size_t aircraft, double undelayed_s, const PlanOptions& options,
-                  const FlightModel& model, FleetPlan& out) {
-  Status separated = internal_error("The share of an aircraft cannot be scheduled.");
+/// The best of some ways that can be kept apart. `members_of` is infeasible where a way cannot be flown.
+Status keep_apart(const MembersOf& members_of, std::size_t aircraft, double undelayed_s,
+                  const PlanOptions& options, const FlightModel& model, FleetPlan& out) {
+  Status separated;
   out.makespan_s = std::numeric_limits<double>::infinity();
   int found = 0;
+  int failed = 0;
   for (const std::vector<int>& way : ways_of_fleet(aircraft)) {
     if (options.stop.interrupted())
       return Error{Error::Code::kInterrupted, "Interrupted before the aircraft were kept apart."};
-    std::vector<Member> members = members_of(way);
-    if (members.size() < aircraft) continue;
-    const Status status = separate(members, out.separation, model);
+    Result<std::vector<Member>> made = members_of(way);
+    if (!made) {
+      if (found == 0 && separated) separated = made.error();
+      continue;
+    }
+    std::vector<Member>& members = *made;
+    Status status = separate(members, out.separation, model);
+    if (!status) {
+      // Robots that are done leave the way to others.
+      for (Member& member : members) send_home(member, model);
+      status = separate(members, out.separation, model);
+    }
     if (status || found == 0) separated = status;
+    if (!status && ++failed == kFailedWays && found == 0) break;
     if (!status) continue;
     ++found;
     if (last_landing_s(members) < out.makespan_s) {
@@ -195,18 +149,6 @@ Status keep_apart(const std::function<std::vector<Member>(const std::vector<int>
     if (found == kFoundWays || out.makespan_s <= kEnough * undelayed_s) break;
   }
   return separated;
-}
-
-/// Once more, on what is handed out.
-bool keeps(const std::vector<Member>& members, const Separation& separation, const FlightModel& model) {
-  std::vector<Trace> traces;
-  for (const Member& member : members) traces.push_back(trace_of(member.plan, member.task, model));
-  for (std::size_t i = 0; i < traces.size(); ++i) {
-    for (std::size_t j = 0; j < i; ++j) {
-      if (conflict(traces[i], traces[j], separation)) return false;
-    }
-  }
-  return true;
 }
 
 }  // namespace
@@ -225,11 +167,12 @@ Result<FleetPlan> plan_fleet(const Task& task, const planner::Terrain& terrain, 
   if (static_cast<std::size_t>(fleet.aircraft) > whole.sub_cells.size())
     return bad_input("There are " + std::to_string(fleet.aircraft) + " aircraft and only " +
                      std::to_string(whole.sub_cells.size()) + " sub-cells to fly.");
-  const double starts_apart_m =
-      std::max(fleet.separation.horizontal_m, fleet.separation.landed_m) + kStartSlack_m;
-  Result<std::vector<Task>> tasks =
-      fleet.starts_m.empty() ? tasks_of_fleet(task, fleet.aircraft, starts_apart_m)
-                             : tasks_from_starts(task, fleet.aircraft, starts_apart_m, fleet.starts_m);
+  const double landed_m = fleet.separation.landed_m;
+  const StartsApart apart{std::max(fleet.separation.horizontal_m, landed_m) + kStartSlack_m,
+                          landed_m + kStartSlack_m};
+  Result<std::vector<Task>> tasks = fleet.starts_m.empty()
+                                        ? tasks_of_fleet(task, fleet.aircraft, apart)
+                                        : tasks_from_starts(task, fleet.aircraft, apart, fleet.starts_m);
   if (!tasks) return tasks.error();
   const Ways ways = ways_of(task, whole.polygons);
   const FlightModel model(task.vehicle, task.battery.model, terrain, &ways);
@@ -242,19 +185,20 @@ Result<FleetPlan> plan_fleet(const Task& task, const planner::Terrain& terrain, 
   FleetPlan out;
   out.separation = fleet.separation;
   out.alone_s = whole.makespan_s;
-  const auto members_of = [&](const std::vector<int>& way) {
+  const auto members_of = [&](const std::vector<int>& way) -> Result<std::vector<Member>> {
     std::vector<Member> members;
     for (std::size_t k = 0; k < starts.size(); ++k) {
       std::optional<Plan> plan =
           plan_of(whole, way_of(parts->visits[k], way[k]), starts[k], stop_params(task, options), links);
-      if (plan && limit_robot((*tasks)[k], model, *plan))
-        members.push_back({(*tasks)[k], std::move(*plan), 0.0});
+      if (!plan) return infeasible("The share of an aircraft cannot be scheduled.");
+      if (const Status limited = limit_robot((*tasks)[k], model, *plan); !limited) return limited.error();
+      members.push_back({(*tasks)[k], std::move(*plan), 0.0});
     }
     return members;
   };
   const Status separated = keep_apart(members_of, starts.size(), parts->longest_s(), options, model, out);
   if (!separated) return separated.error();
-  if (!keeps(out.members, fleet.separation, model))
+  if (!are_apart(out.members, fleet.separation, model))
     return internal_error("Two aircraft of the schedule found come too close.");
   return out;
 }

@@ -23,7 +23,8 @@ struct Times {
   double to_s = std::numeric_limits<double>::infinity();
 
   /// Just touching is no time.
-  bool last() const { return to_s - from_s > 1e-7; }
+  static constexpr double kTouch_s = 1e-7;
+  bool last() const { return to_s - from_s > kTouch_s; }
 };
 
 /// Whether two pieces come closer than they should at whatever times.

@@ -8,15 +8,21 @@
 
 namespace swallowtail::coverage {
 
-/// One task for each aircraft with its own robot: the first begins where the task says, the others around it,
-/// all `apart_m` from each other and outside holes and no-fly areas, the robots where they can drive to and
-/// from the task's own (together in its place where there is no such spot). Ids count up from the task's.
-/// Errors (kInfeasible): there is no room within 100 rings.
-Result<std::vector<Task>> tasks_of_fleet(const Task& task, int aircraft, double apart_m);
+/// Least distances at the start.
+struct StartsApart {
+  double aircraft_m = 0.0;
+  double robots_m = 0.0;  ///< of a robot from other teams' robots and aircraft
+};
 
-/// The same with given starts, of which the first `aircraft` are used; a robot whose aircraft starts beside
-/// it starts with it. Errors (kBadInput): too few, nearer than apart_m to each other, barred.
-Result<std::vector<Task>> tasks_from_starts(const Task& task, int aircraft, double apart_m,
+/// One task for each aircraft with its own robot: the first begins where the task says, the others around it,
+/// outside holes and no-fly areas; a robot that stands beside its aircraft does so wherever this starts, if
+/// it can drive to and from the task's own place, else it stands around that. Ids count up from the task's.
+/// Errors (kInfeasible): there is no room within 100 rings.
+Result<std::vector<Task>> tasks_of_fleet(const Task& task, int aircraft, const StartsApart& apart);
+
+/// The same with given starts, of which the first `aircraft` are used. Errors (kBadInput): too few, nearer to
+/// each other than asked, barred.
+Result<std::vector<Task>> tasks_from_starts(const Task& task, int aircraft, const StartsApart& apart,
                                             std::span<const Vec2> starts_m);
 
 }  // namespace swallowtail::coverage

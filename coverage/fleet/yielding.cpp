@@ -8,28 +8,35 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kStep_s = 1.0;
+constexpr double kTouch_s = Times::kTouch_s;
 
-/// A place to wait in, and when others take it up.
+/// A place to wait in, and how long it is free.
 class Place {
  public:
-  Place(const TimedPiece& own, std::span<const TimedPiece> others, const Separation& separation) : own_(own) {
+  Place(const TimedPiece& own, std::span<const TimedPiece> others, const Separation& separation,
+        std::size_t steps)
+      : own_(own), until_s_(steps, kInfinity) {
     for (const TimedPiece& other : others) {
       if (!boxes_meet(own, other, separation)) continue;
       const Times taken =
           close_times(standing(own.from_m, other.start_s, other.end_s), 0.0, other, separation);
-      if (taken.last()) taken_.push_back(taken);
+      if (taken.last()) take(taken);
     }
   }
-  bool is_free(double from_late_s, double to_late_s) const {
-    const Times own{own_.start_s + from_late_s, own_.end_s + to_late_s};
-    return std::ranges::none_of(taken_, [&](const Times& taken) {
-      return Times{std::max(own.from_s, taken.from_s), std::min(own.to_s, taken.to_s)}.last();
-    });
-  }
+  /// From its begin so many steps late to its end so much later.
+  bool is_free(std::size_t step, double to_late_s) const { return own_.end_s + to_late_s <= until_s_[step]; }
 
  private:
+  void take(const Times& taken) {
+    for (std::size_t step = 0; step < until_s_.size(); ++step) {
+      const double from_s = own_.start_s + kStep_s * static_cast<double>(step);
+      if (taken.to_s <= from_s + kTouch_s) return;
+      until_s_[step] = std::min(until_s_[step], std::max(from_s, taken.from_s) + kTouch_s);
+    }
+  }
+
   TimedPiece own_;
-  std::vector<Times> taken_;
+  std::vector<double> until_s_;
 };
 
 /// How many steps late a chain of pieces meets others.
@@ -88,15 +95,15 @@ class Yielding {
       stands_.emplace_back();
       for (const Vec3& stand : stretch.stands_m)
         stands_.back().emplace_back(standing(stand, stretch.stands_from_s, stretch.take_off_s), all,
-                                    separation);
+                                    separation, steps_);
       const Drive& drive = stretch.drive;
       flights_.emplace_back(stretch.pieces, all, separation, steps_);
-      before_drives_.emplace_back(drive.stand_before(), all, separation);
+      before_drives_.emplace_back(drive.stand_before(), all, separation, steps_);
       drives_.emplace_back(drive.pieces, all, separation, steps_);
       after_drives_.emplace_back(drive.pieces.empty() ? drive.stand_before() : drive.stand_after(), all,
-                                 separation);
+                                 separation, steps_);
     }
-    end_.emplace_back(standing(mover.end_m, mover.end_s, kInfinity), all, separation);
+    end_.emplace_back(standing(mover.end_m, mover.end_s, kInfinity), all, separation, steps_);
   }
 
   std::optional<Delays> run() {
@@ -115,8 +122,8 @@ class Yielding {
     for (std::size_t wait = 0; shift + wait < steps_; ++wait) {
       const double wait_s = kStep_s * static_cast<double>(wait);
       if (wait > 0 && wait_s > slack_s) return false;
-      if (!before_drives_[k].is_free(shift_s, shift_s + wait_s)) return false;
-      if (!drives_[k].is_free(shift + wait) || !after_drives_[k].is_free(shift_s + wait_s, shift_s)) continue;
+      if (!before_drives_[k].is_free(shift, shift_s + wait_s)) return false;
+      if (!drives_[k].is_free(shift + wait) || !after_drives_[k].is_free(shift + wait, shift_s)) continue;
       waits_[k] = wait;
       return true;
     }
@@ -126,17 +133,16 @@ class Yielding {
   /// Stretches from `k` on, the one before `before` steps late.
   bool place(std::size_t k, std::size_t before) {
     if (failed_[k][before] != 0) return false;
-    const double before_s = kStep_s * static_cast<double>(before);
     if (k == shifts_.size()) {
-      if (end_.front().is_free(before_s, before_s)) return true;
+      if (end_.front().is_free(before, kStep_s * static_cast<double>(before))) return true;
       failed_[k][before] = 1;
       return false;
     }
     std::size_t shift = before;
     for (; shift < steps_; ++shift) {
       const double shift_s = kStep_s * static_cast<double>(shift);
-      const bool may_wait = std::ranges::all_of(
-          stands_[k], [&](const Place& stand) { return stand.is_free(before_s, shift_s); });
+      const bool may_wait =
+          std::ranges::all_of(stands_[k], [&](const Place& stand) { return stand.is_free(before, shift_s); });
       if (!may_wait) break;
       if (!flights_[k].is_free(shift) || failed_[k + 1][shift] != 0 || !drive(k, shift) ||
           !place(k + 1, shift))

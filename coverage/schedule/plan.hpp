@@ -113,7 +113,7 @@ struct Plan {
   std::vector<Leg> legs;
   std::vector<Rendezvous> rendezvous;
   std::vector<DepotVisit> depot_visits{};  ///< in order; only with a robot whose battery is limited
-  double robot_home_s = 0.0;               ///< such a robot is back at its depot; 0: it need not be
+  double robot_home_s = 0.0;               ///< the robot is back at its depot; 0: it stays where it is
   std::vector<Vec3> home_bends_m{};        ///< on its way there
   double cost = 0.0;                       ///< what was minimised: the makespan
   double makespan_s = 0.0;                 ///< from the start to the last landing

@@ -211,7 +211,8 @@ void Replay::visit_depot(const std::string& name) {
 
 void Replay::drive_robot_home() {
   if (visits_ != plan_.depot_visits.size()) fail("the robot visits its depot before no rendezvous");
-  if (std::isinf(task_.charger.battery.capacity) || plan_.rendezvous.empty()) return;
+  const bool may_stay = std::isinf(task_.charger.battery.capacity) && plan_.robot_home_s == 0.0;
+  if (may_stay || plan_.rendezvous.empty()) return;
   const double home_s =
       robot_.free_s + robot_.drive_to(plan_.home_bends_m, task_.charger.start_m, verdict_.faults);
   at_least("the robot's energy when it is home", robot_.held + kSlack, 0.0);

@@ -151,8 +151,7 @@ std::vector<Part> parts_of(const std::vector<Covered>& done) {
 
 Json aircraft_json(const Covered& one, const Part& part) {
   Json out = part.json();
-  out["vehicle"] = one.task->vehicle_id;
-  out["charger"] = one.task->charger.id;
+  out.update(Json({{"vehicle", one.task->vehicle_id}, {"charger", one.task->charger.id}}));
   out["start_m"] = to_json(one.task->start_m);
   out["charger_start_m"] = to_json(one.task->charger.start_m);
   out["take_off_s"] = one.plan->take_off_s;
@@ -161,6 +160,7 @@ Json aircraft_json(const Covered& one, const Part& part) {
   out["sub_cells"] = one.plan->sub_cells.size();
   out["flight_m"] = one.plan->flight_m;
   out["recharges"] = one.plan->recharges;
+  if (one.plan->robot_home_s > 0.0) out["robot_home_s"] = one.plan->robot_home_s;
   return out;
 }
 
@@ -193,6 +193,7 @@ Json rendezvous_json(const coverage::Rendezvous& meeting, const Part& part) {
                    {"charge_to", meeting.charge_to},
                    {"wait_s", meeting.wait_s},
                    {"carry", meeting.carry}}));
+  if (!meeting.robot_bends_m.empty()) out["robot_bends_m"] = places_json(meeting.robot_bends_m);
   if (meeting.carry) out["carry_to_m"] = to_json(meeting.carry_to_m);
   return out;
 }
