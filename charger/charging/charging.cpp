@@ -31,6 +31,11 @@ bool is_flying(const Inputs& inputs) {
   return inputs.vehicle && inputs.vehicle->activity == VehicleActivity::kFlying;
 }
 
+bool is_sound(const Way& way) {
+  return is_non_negative(way.speed_mps) &&
+         std::all_of(way.bends_m.begin(), way.bends_m.end(), [](const Vec3& p) { return is_finite(p); });
+}
+
 Status refuse(const Orders& orders, const std::string& rule) {
   return bad_input("Charger orders of revision " + std::to_string(orders.revision) + ": " + rule + ".");
 }
@@ -45,6 +50,9 @@ Status validate(const Orders& orders) {
   if (!is_within(orders.taper_from, 0.0, 1.0) || !is_within(orders.taper_end_rate, 1e-3, 1.0))
     return refuse(orders, "the charging taper must lie within 0 and 1");
   if (!is_finite(orders.start_m)) return refuse(orders, "the start must be finite");
+  if (orders.battery && !is_sound(*orders.battery))
+    return refuse(orders, "its own battery must hold more than its reserve, and what it gives be positive");
+  if (!is_sound(orders.home)) return refuse(orders, "the way home must be finite");
   for (const Meeting& meeting : orders.meetings) {
     if (!is_finite(meeting.site_m) || (meeting.carry_to_m && !is_finite(*meeting.carry_to_m))) {
       return refuse(orders, "the sites of meeting " + std::to_string(meeting.id) + " must be finite");
@@ -56,6 +64,8 @@ Status validate(const Orders& orders) {
                      [](const Vec3& p) { return is_finite(p); })) {
       return refuse(orders, "the ways of meeting " + std::to_string(meeting.id) + " must be finite");
     }
+    if (!is_sound(meeting.home) || !is_non_negative(meeting.uses))
+      return refuse(orders, "the way home from meeting " + std::to_string(meeting.id) + " must be finite");
     if (!is_non_negative(meeting.charge_to)) {
       return refuse(orders, "charge_to of meeting " + std::to_string(meeting.id) + " must not be negative");
     }
@@ -63,13 +73,19 @@ Status validate(const Orders& orders) {
   return {};
 }
 
-Result<Charging> Charging::make(Orders orders, std::vector<Delay> delays, double time_s) {
+Result<Charging> Charging::make(Orders orders, std::vector<Delay> delays, double time_s,
+                                std::vector<Loss> losses) {
   if (Status status = validate(orders); !status) return status.error();
-  return Charging(std::move(orders), std::move(delays), time_s);
+  return Charging(std::move(orders), std::move(delays), time_s, std::move(losses));
 }
 
-Charging::Charging(Orders orders, std::vector<Delay> delays, double time_s)
-    : orders_(std::move(orders)), delays_(std::move(delays)), drive_(orders_.start_m) {
+Charging::Charging(Orders orders, std::vector<Delay> delays, double time_s, std::vector<Loss> losses)
+    : orders_(std::move(orders)),
+      delays_(std::move(delays)),
+      drive_(orders_.start_m),
+      losses_(std::move(losses)) {
+  own_.limit(orders_.battery);
+  state_.energy = own_.energy();
   state_.time_s = time_s;
   state_.position_m = orders_.start_m;
   state_.orders_revision = orders_.revision;
@@ -78,6 +94,9 @@ Charging::Charging(Orders orders, std::vector<Delay> delays, double time_s)
 Status Charging::set_orders(Orders orders) {
   if (Status status = validate(orders); !status) return status;
   orders_ = std::move(orders);
+  own_.limit(orders_.battery);
+  home_ = orders_.home;
+  sets_out_anew_ = true;
   return {};
 }
 
@@ -85,6 +104,7 @@ const State& Charging::step(double time_s, const Inputs& inputs) {
   const double duration_s = time_s - state_.time_s;
   if (!(duration_s >= 0.0)) return state_;
   state_.time_s = time_s;
+  suffer_losses();
   account_for_delivery(inputs, duration_s);
   forget_replaced_vehicle(inputs);
   vehicle_has_flown_ =
@@ -103,6 +123,7 @@ const State& Charging::step(double time_s, const Inputs& inputs) {
   state_.speed_mps = drive_.speed_mps();
   state_.has_vehicle = service_ != Service::kNone;
   state_.orders_revision = orders_.revision;
+  state_.energy = own_.energy();
   return state_;
 }
 
@@ -111,6 +132,7 @@ void Charging::forget_replaced_vehicle(const Inputs& inputs) {
   if (!inputs.vehicle) return;
   if (inputs.vehicle->legs_done < legs_seen_) {
     last_done_.reset();
+    depot_done_.reset();
     vehicle_has_flown_ = false;
   }
   legs_seen_ = inputs.vehicle->legs_done;
@@ -118,6 +140,7 @@ void Charging::forget_replaced_vehicle(const Inputs& inputs) {
 
 void Charging::account_for_delivery(const Inputs& inputs, double duration_s) {
   state_.energy_delivered += state_.charge_rate * duration_s;
+  own_.give(state_.charge_rate * duration_s);
   deliveries_.push_back({state_.time_s, state_.energy_delivered});
   const double known_s = inputs.battery ? inputs.battery->time_s : -std::numeric_limits<double>::infinity();
   while (deliveries_.size() > kMaxDeliveries ||
@@ -157,6 +180,10 @@ double Charging::greatest_rate(const BatteryView& battery, double energy) const 
 bool Charging::is_behind(const Meeting& meeting, const Inputs& inputs) const {
   const std::uint32_t legs_before = (meeting.id + 1) / 2;
   if (inputs.vehicle && legs_before < inputs.vehicle->legs_done) return true;
+  if (meeting.is_depot) {
+    const bool is_kept = depot_done_ == meeting.id || (last_done_ && meeting.id <= last_done_->id);
+    return is_kept || (own_.is_full() && drive_.stands_at(orders_.start_m));
+  }
   if (!last_done_) return false;
   if (meeting.id != last_done_->id) return meeting.id < last_done_->id;
   return orders_.revision == last_done_revision_ || is_near(meeting.site_m, last_done_->site_m);
@@ -174,11 +201,14 @@ bool Charging::has_left(const Inputs& inputs) const {
 
 const Meeting* Charging::next_meeting(const Inputs& inputs) const {
   const Meeting* next = nullptr;
+  const Meeting* depot = nullptr;
   for (const Meeting& meeting : orders_.meetings) {
     const bool behind = is_behind(meeting, inputs);
+    if (meeting.is_depot && !behind) depot = &meeting;
     // A vehicle that came back to a place it had left is served again once newer orders say so.
-    if (waits_for_us(meeting, inputs) && (!behind || orders_.revision != last_done_revision_))
-      return &meeting;
+    if (!meeting.is_depot && waits_for_us(meeting, inputs) &&
+        (!behind || orders_.revision != last_done_revision_))
+      return depot != nullptr && depot->id == meeting.id ? depot : &meeting;
     if (next == nullptr && !behind) next = &meeting;
   }
   return next;
@@ -191,7 +221,7 @@ bool Charging::is_delayed() const {
 }
 
 bool Charging::is_held_up() {
-  if (!is_delayed()) return false;
+  if (!is_delayed() && !own_.is_empty()) return false;
   drive_.stop();
   state_.activity = Activity::kDelayed;
   return true;
@@ -199,27 +229,33 @@ bool Charging::is_held_up() {
 
 void Charging::drive_to_site(const Meeting& meeting, double duration_s) {
   if (is_held_up()) return;
-  const double speed = meeting.way_speed_mps > 0.0 ? meeting.way_speed_mps : orders_.speed_mps;
-  drive_.follow(meeting.way_m, meeting.site_m, std::min(speed, orders_.speed_mps), duration_s);
+  drive({meeting.way_m, meeting.way_speed_mps}, meeting.site_m, duration_s);
   state_.activity = Activity::kDriving;
 }
 
 void Charging::carry(double duration_s) {
   if (is_held_up()) return;
-  const double speed = current_.carry_speed_mps > 0.0 ? current_.carry_speed_mps : orders_.speed_mps;
-  drive_.follow(current_.carry_way_m, *current_.carry_to_m, std::min(speed, orders_.speed_mps), duration_s);
+  drive({current_.carry_way_m, current_.carry_speed_mps}, *current_.carry_to_m, duration_s);
   state_.activity = Activity::kCarrying;
 }
 
 void Charging::approach(const Inputs& inputs, double duration_s) {
   state_.charge_rate = 0.0;
+  refill_when_due();
   const Meeting* next = next_meeting(inputs);
+  if (errand_ == Errand::kRefilling) {
+    drive_.stop();
+    state_.activity = Activity::kRefilling;
+    return;
+  }
   if (next == nullptr) {
     drive_.stop();
     state_.activity = Activity::kIdle;
     return;
   }
   state_.meeting_id = next->id;
+  if (has_an_errand(*next))
+    return fetch(next->is_depot ? Way{next->way_m, next->way_speed_mps} : home_, duration_s);
   if (!drive_.stands_at(next->site_m)) {
     drive_to_site(*next, duration_s);
     return;
@@ -232,6 +268,7 @@ void Charging::approach(const Inputs& inputs, double duration_s) {
 void Charging::take_on_board(const Meeting& meeting) {
   current_ = meeting;
   service_ = Service::kLanding;
+  errand_ = Errand::kNone;
   handling_until_s_ = state_.time_s + orders_.landing_s;
   state_.meeting_id = meeting.id;
   state_.activity = Activity::kCharging;
@@ -250,10 +287,11 @@ void Charging::adopt_vehicle(const Inputs& inputs) {
 
 void Charging::follow_changed_meeting(const Inputs& inputs) {
   if (orders_.revision == state_.orders_revision) return;
-  auto same = std::find_if(orders_.meetings.begin(), orders_.meetings.end(),
-                           [this](const Meeting& meeting) { return meeting.id == current_.id; });
+  auto same = std::find_if(orders_.meetings.begin(), orders_.meetings.end(), [this](const Meeting& meeting) {
+    return !meeting.is_depot && meeting.id == current_.id;
+  });
   // The next meeting, here, is this one under another number.
-  if (same == orders_.meetings.end() && !orders_.meetings.empty() &&
+  if (same == orders_.meetings.end() && !orders_.meetings.empty() && !orders_.meetings.front().is_depot &&
       is_near(orders_.meetings.front().site_m, drive_.position_m()))
     same = orders_.meetings.begin();
   if (same == orders_.meetings.end()) return;
@@ -263,6 +301,7 @@ void Charging::follow_changed_meeting(const Inputs& inputs) {
   current_.carry_to_m = same->carry_to_m;
   current_.carry_way_m = same->carry_way_m;
   current_.carry_speed_mps = same->carry_speed_mps;
+  current_.home = same->home;
   if (service_ != Service::kTakeOff && service_ != Service::kReady) return;
   const bool must_drive = current_.carry_to_m && !drive_.stands_at(*current_.carry_to_m);
   if (must_drive || missing_energy(inputs) > kRecharge) service_ = Service::kServing;
@@ -275,6 +314,13 @@ void Charging::charge(const Inputs& inputs, double duration_s) {
   const double taper_s = kTaperSteps * duration_s;
   const double greatest = greatest_rate(*inputs.battery, energy_now(inputs));
   state_.charge_rate = missing < greatest * taper_s ? missing / taper_s : greatest;
+  if (!own_.is_limited()) return;
+  const double spare = own_.to_spare() - for_the_way_home(current_);
+  if (spare < own_.for_charging(kChargeTolerance)) {
+    state_.charge_rate = 0.0;
+  } else if (own_.for_charging(state_.charge_rate) * taper_s > spare) {
+    state_.charge_rate = spare / own_.for_charging(taper_s);
+  }
 }
 
 void Charging::serve(const Inputs& inputs, double duration_s) {
@@ -283,6 +329,7 @@ void Charging::serve(const Inputs& inputs, double duration_s) {
   // What a battery loses while it waits to leave is charged again.
   const bool leaves = service_ == Service::kTakeOff || service_ == Service::kReady;
   if (leaves && missing_energy(inputs) > kRecharge) service_ = Service::kServing;
+  if (errand_ != Errand::kNone) return run_errand_on_board(duration_s);
   if (service_ == Service::kServing) {
     const bool arrived = !current_.carry_to_m || drive_.stands_at(*current_.carry_to_m);
     charge(inputs, duration_s);
@@ -294,6 +341,8 @@ void Charging::serve(const Inputs& inputs, double duration_s) {
     if (missing_energy(inputs) <= kChargeTolerance) {
       service_ = Service::kTakeOff;
       handling_until_s_ = state_.time_s + orders_.take_off_s;
+    } else {
+      begin_errand_on_board(inputs);
     }
   }
   if (service_ == Service::kTakeOff && state_.time_s >= handling_until_s_) {
@@ -308,6 +357,10 @@ void Charging::finish() {
   ++state_.meetings_done;
   last_done_ = current_;
   last_done_revision_ = orders_.revision;
+  depot_done_.reset();
+  errand_ = Errand::kNone;
+  sets_out_anew_ = true;
+  home_ = current_.home;
 }
 
 }  // namespace swallowtail::charger

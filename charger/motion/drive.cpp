@@ -50,19 +50,37 @@ void Drive::advance(const Vec3& target_m, double speed_mps, double duration_s) {
   speed_mps_ = driven_m / duration_s;
 }
 
-void Drive::follow(const std::vector<Vec3>& bends_m, const Vec3& target_m, double speed_mps,
-                   double duration_s) {
-  if (bends_m.empty()) return advance(target_m, speed_mps, duration_s);
+/// The target last.
+std::vector<Vec3> Drive::places_ahead(const std::vector<Vec3>& bends_m, const Vec3& target_m) const {
+  if (bends_m.empty()) return {target_m};
   std::vector<Vec3> places = bends_m;
   places.push_back(target_m);
-  const bool is_sound = std::all_of(places.begin(), places.end(), [](const Vec3& p) { return is_finite(p); });
-  speed_mps_ = 0.0;
-  if (!is_sound || !is_positive(speed_mps) || !is_positive(duration_s)) return;
-  std::size_t hop = hop_under_way(places, position_m_);
+  const std::size_t hop = hop_under_way(places, position_m_);
   const Vec3 join = nearest_on(places[hop - 1], places[hop], position_m_);
   std::vector<Vec3> ahead;
   if (distance_to_m(join) > kOnWay_m) ahead.push_back(join);
   ahead.insert(ahead.end(), places.begin() + static_cast<std::ptrdiff_t>(hop), places.end());
+  return ahead;
+}
+
+double Drive::left_m(const std::vector<Vec3>& bends_m, const Vec3& target_m) const {
+  double out = 0.0;
+  Vec3 last = position_m_;
+  for (const Vec3& place : places_ahead(bends_m, target_m)) {
+    out += (place - last).head<2>().norm();
+    last = place;
+  }
+  return out;
+}
+
+void Drive::follow(const std::vector<Vec3>& bends_m, const Vec3& target_m, double speed_mps,
+                   double duration_s) {
+  if (bends_m.empty()) return advance(target_m, speed_mps, duration_s);
+  const bool is_sound = is_finite(target_m) && std::all_of(bends_m.begin(), bends_m.end(),
+                                                           [](const Vec3& p) { return is_finite(p); });
+  speed_mps_ = 0.0;
+  if (!is_sound || !is_positive(speed_mps) || !is_positive(duration_s)) return;
+  const std::vector<Vec3> ahead = places_ahead(bends_m, target_m);
   double left_m = speed_mps * duration_s;
   for (const Vec3& place : ahead) {
     const double distance_m = distance_to_m(place);

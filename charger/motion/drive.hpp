@@ -27,6 +27,8 @@ class Drive {
   /// its first bend is where it begins.
   void follow(const std::vector<Vec3>& bends_m, const Vec3& target_m, double speed_mps, double duration_s);
   void stop() { speed_mps_ = 0.0; }
+  /// What `follow` would drive to the target.
+  double left_m(const std::vector<Vec3>& bends_m, const Vec3& target_m) const;
 
   const Vec3& position_m() const { return position_m_; }
   /// Mean speed over the last `advance`; 0 after `stop`.
@@ -35,6 +37,8 @@ class Drive {
   bool stands_at(const Vec3& target_m) const { return distance_to_m(target_m) <= kArrival_m; }
 
  private:
+  std::vector<Vec3> places_ahead(const std::vector<Vec3>& bends_m, const Vec3& target_m) const;
+
   Vec3 position_m_;
   double speed_mps_ = 0.0;
 };

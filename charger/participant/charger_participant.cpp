@@ -78,7 +78,7 @@ void ChargerParticipant::take_plan(double time_s) {
     Status accepted;
     if (charging_) {
       accepted = charging_->set_orders(orders_);
-    } else if (auto made = Charging::make(orders_, options_.delays, time_s)) {
+    } else if (auto made = Charging::make(orders_, options_.delays, time_s, options_.losses)) {
       charging_.emplace(std::move(made).value());
     } else {
       accepted = made.error();
@@ -90,7 +90,7 @@ void ChargerParticipant::take_plan(double time_s) {
     }
   }
   if (charging_ && time_s < charging_->state().time_s - kRestart_s) {
-    if (auto anew = Charging::make(orders_, options_.delays, time_s))
+    if (auto anew = Charging::make(orders_, options_.delays, time_s, options_.losses))
       charging_.emplace(std::move(anew).value());
     inputs_ = {};
   }

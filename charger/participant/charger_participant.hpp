@@ -21,6 +21,7 @@ namespace swallowtail::charger {
 struct ParticipantOptions {
   std::uint32_t charger_id = 1;
   std::vector<Delay> delays{};
+  std::vector<Loss> losses{};  ///< of its own battery, in mission time
   double publish_period_s = 0.02;  ///< wall time between two ChargerStates; changes of activity or charge
                                    ///< rate are published at once
 };

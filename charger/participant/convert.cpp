@@ -1,5 +1,7 @@
 #include "charger/participant/convert.hpp"
 
+#include <algorithm>
+
 namespace swallowtail::charger {
 namespace {
 
@@ -28,6 +30,8 @@ data::ChargerActivity to_data(Activity activity) {
       return data::ChargerActivity::kReady;
     case Activity::kDelayed:
       return data::ChargerActivity::kDelayed;
+    case Activity::kRefilling:
+      return data::ChargerActivity::kRefilling;
   }
   return data::ChargerActivity::kIdle;
 }
@@ -44,6 +48,11 @@ Orders to_orders(const data::ChargerPlan& plan) {
   orders.landing_s = plan.landing_s;
   orders.take_off_s = plan.take_off_s;
   orders.start_m = to_vec(plan.start);
+  if (plan.has_battery) {
+    const data::RobotBattery& own = plan.battery;
+    orders.battery = BatteryLimits{own.capacity, own.reserve, own.drive_per_s, own.per_charged, own.refill_s};
+  }
+  orders.home = {way_of(plan, plan.home_first_bend, plan.home_bend_count), plan.home_speed_mps};
   orders.meetings.reserve(plan.rendezvous.size());
   for (const data::Rendezvous& rendezvous : plan.rendezvous) {
     Meeting meeting;
@@ -55,6 +64,10 @@ Orders to_orders(const data::ChargerPlan& plan) {
     meeting.way_speed_mps = rendezvous.speed_mps;
     meeting.carry_way_m = way_of(plan, rendezvous.carry_first_bend, rendezvous.carry_bend_count);
     meeting.carry_speed_mps = rendezvous.carry_speed_mps;
+    meeting.is_depot = rendezvous.kind == data::StopKind::kDepot;
+    meeting.home = {way_of(plan, rendezvous.home_first_bend, rendezvous.home_bend_count),
+                    rendezvous.home_speed_mps};
+    meeting.uses = std::max(0.0, rendezvous.robot_energy - rendezvous.robot_energy_left);
     orders.meetings.push_back(meeting);
   }
   return orders;
@@ -87,6 +100,7 @@ data::ChargerState to_data(const State& state, std::uint32_t charger_id, std::ui
   sample.rendezvous_id = state.meeting_id;
   sample.rendezvous_done = state.meetings_done;
   sample.plan_revision = state.orders_revision;
+  sample.energy = state.energy;
   return sample;
 }
 

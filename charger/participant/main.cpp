@@ -22,11 +22,17 @@ constexpr const char* kExamples = R"(Examples:
   swallowtail-charger --domain 7 --charger 2 --delay 120:45 --delay 600:10
 Ends on SIGINT or SIGTERM. Exit codes: 0 ended by a signal, 2 bad usage, 4 the DDS participant failed.)";
 
-bool parse_delay(const std::string& text, swallowtail::charger::Delay& delay) {
+bool parse_pair(const std::string& text, double& first, double& second) {
   std::istringstream in(text);
   char colon = 0;
-  return (in >> delay.at_s >> colon >> delay.duration_s) && colon == ':' && in.peek() == EOF &&
-         swallowtail::is_non_negative(delay.at_s) && swallowtail::is_non_negative(delay.duration_s);
+  return (in >> first >> colon >> second) && colon == ':' && in.peek() == EOF &&
+         swallowtail::is_non_negative(first) && swallowtail::is_non_negative(second);
+}
+
+std::string check_pair(const std::string& text, const char* form) {
+  double first = 0.0;
+  double second = 0.0;
+  return parse_pair(text, first, second) ? std::string() : "'" + text + "' is not " + form;
 }
 
 }  // namespace
@@ -46,10 +52,12 @@ int main(int argc, char** argv) {
   app.add_option("--delay", delays,
                  "AT_S:SECONDS of mission time in which it does not drive; may be repeated")
       ->allow_extra_args(false)
-      ->check([&options](const std::string& text) {
-        swallowtail::charger::Delay delay;
-        return parse_delay(text, delay) ? std::string() : "'" + text + "' is not AT_S:SECONDS, as in 120:45";
-      });
+      ->check([](const std::string& text) { return check_pair(text, "AT_S:SECONDS, as in 120:45"); });
+  std::vector<std::string> losses;
+  app.add_option("--loss", losses,
+                 "AT_S:UNITS that its own battery loses at once at that mission time; may be repeated")
+      ->allow_extra_args(false)
+      ->check([](const std::string& text) { return check_pair(text, "AT_S:UNITS, as in 120:30"); });
   app.footer(kExamples);
   try {
     app.parse(argc, argv);
@@ -57,7 +65,12 @@ int main(int argc, char** argv) {
     return app.exit(error) == 0 ? 0 : kExitUsage;
   }
   for (const std::string& text : delays) {
-    parse_delay(text, options.delays.emplace_back());
+    auto& delay = options.delays.emplace_back();
+    parse_pair(text, delay.at_s, delay.duration_s);
+  }
+  for (const std::string& text : losses) {
+    auto& loss = options.losses.emplace_back();
+    parse_pair(text, loss.at_s, loss.energy);
   }
 
   const swallowtail::StopSignals stop;

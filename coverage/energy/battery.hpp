@@ -31,6 +31,7 @@ struct RobotBattery {
   double drive_per_s = 0.0;                                   ///< units for each second that it drives
   double per_charged = 1.0;  ///< units for each that the aircraft is charged with
   double refill_s = 0.0;     ///< at the depot
+  double reserve = 0.0;      ///< that it keeps
 };
 
 /// The ground robot.
@@ -78,6 +79,8 @@ inline Status validate(const Charger& charger) {
   if (!is_non_negative(battery.drive_per_s) || !is_non_negative(battery.per_charged) ||
       !is_non_negative(battery.refill_s))
     return bad_input("What the charger's own battery gives and the time to refill it must not be negative.");
+  if (!is_non_negative(battery.reserve) || battery.reserve >= battery.capacity)
+    return bad_input("The reserve of the charger's own battery must be at least 0 and below its capacity.");
   return {};
 }
 

@@ -314,13 +314,19 @@ bool PlanKeeper::on_battery(const BatteryView& battery) {
 }
 
 bool PlanKeeper::on_robot(const RobotView& robot) {
-  const bool finite = is_finite(robot.time_s) && is_finite(robot.position_m);
+  const bool finite = is_finite(robot.time_s) && is_finite(robot.position_m) && is_non_negative(robot.energy);
   if (!finite || (robot_ && robot.time_s < robot_->time_s)) return refuse();
+  if (robot_) note_refill(*robot_, robot);
   robot_ = robot;
+  if (review_robot_energy()) return true;
   if (!vehicle_ || plan_.rendezvous.empty() || robot.has_vehicle || vehicle_->mode == AircraftMode::kDocked)
     return false;
   Rendezvous& next = plan_.rendezvous.front();
-  const double arrives = robot.time_s + drive_s(task_.charger, robot.position_m, next.site_m);
+  const double there_s = next.by_depot ? drive_s(task_.charger, robot.position_m, task_.charger.start_m) +
+                                             task_.charger.battery.refill_s +
+                                             drive_s(task_.charger, task_.charger.start_m, next.site_m)
+                                       : drive_s(task_.charger, robot.position_m, next.site_m);
+  const double arrives = robot.time_s + there_s;
   const double late = arrives - std::max(next.land_s, next.robot_arrives_s);
   if (late < params_.time_tolerance_s || robot.time_s < last_shift_s_ + kShiftEvery_s) return false;
   last_shift_s_ = robot.time_s;
@@ -334,6 +340,7 @@ bool PlanKeeper::on_robot(const RobotView& robot) {
 }
 
 void PlanKeeper::note_revision(const std::string& reason) {
+  send_robot(plan_);
   ++plan_.revision;
   plan_.reason = reason;
   plan_.vehicle_time_s = vehicle_ ? vehicle_->time_s : 0.0;

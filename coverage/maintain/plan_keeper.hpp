@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -13,6 +14,7 @@
 #include "coverage/maintain/live_plan.hpp"
 #include "coverage/maintain/rest.hpp"
 #include "coverage/maintain/strip_track.hpp"
+#include "coverage/schedule/robot_trips.hpp"
 
 namespace swallowtail::coverage {
 
@@ -39,6 +41,7 @@ struct RobotView {
   Vec3 position_m = Vec3::Zero();
   bool has_vehicle = false;
   bool is_delayed = false;
+  double energy = 0.0;  ///< its own; of no matter where the task does not limit it
 };
 
 struct KeeperParams {
@@ -57,8 +60,9 @@ struct KeeperParams {
 
 /// Keeps a coverage plan true while it is flown: what is flown stays as a fixed prefix, the rest is scheduled
 /// anew when the energy no longer reaches the next landing, when the aircraft lands where it was not meant
-/// to, when a stretch was left out, or (times only) when aircraft or robot are late. Knows no middleware and
-/// no wall clock of its own.
+/// to, when a stretch was left out, or (times only) when aircraft or robot are late. A robot with a battery
+/// of its own gets its trips to the depot with every revision, from where it is and what it holds, and a new
+/// revision when what it holds does not last. Knows no middleware and no wall clock of its own.
 class PlanKeeper {
  public:
   /// Plans the task. Errors: see plan_coverage.
@@ -148,6 +152,11 @@ class PlanKeeper {
   void land_at_once(std::vector<Leg> legs, std::size_t before_landing, const std::string& reason);
   void keep_track_of_leg(const Vec3& entry_m, bool covering);
   double robot_arrives_s(const Vec3& site_m) const;
+  bool is_robot_limited() const { return std::isfinite(task_.charger.battery.capacity); }
+  RobotStart robot_start() const;
+  void send_robot(LivePlan& plan) const;
+  void note_refill(const RobotView& before, const RobotView& now);
+  bool review_robot_energy();
   Rendezvous meeting_at(const ScheduleStart& docked, double land_s, const Recharge& charge) const;
   Leg point_leg(const Vec3& at_m);
   Vec3 point_ahead() const;
@@ -189,7 +198,8 @@ class PlanKeeper {
   bool told_no_plan_ = false;  ///< in this stay on the ground
   std::string no_plan_;        ///< why the last solution failed
   double last_shift_s_ = -1e9;
-  double retry_s_ = -1e9;  ///< a solution that failed is not tried again before
+  double robot_reviewed_s_ = -1e9;  ///< when its energy was looked at last
+  double retry_s_ = -1e9;           ///< a solution that failed is not tried again before
   bool has_flown_ = false;
   Consumption consumption_;
   bool all_aloft_ = false;              ///< since the last battery sample

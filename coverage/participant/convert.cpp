@@ -66,6 +66,8 @@ data::Rendezvous to_data(const Rendezvous& meeting) {
   out.charge_to = meeting.charge_to;
   out.carry = meeting.carry;
   out.carry_to = to_data(meeting.carry_to_m);
+  out.robot_energy = meeting.robot_energy;
+  out.robot_energy_left = meeting.robot_energy_left;
   return out;
 }
 
@@ -105,24 +107,89 @@ void add_ways(const LivePlan& plan, const Vec3& start_m, data::CoveragePlan& out
   }
 }
 
+/// The robot at its depot before a meeting, or (none) after the last of all.
+data::Rendezvous depot_stop(const LivePlan& plan, const Charger& charger, const Rendezvous* before,
+                            const Vec3& depot_m) {
+  const double refill_s = charger.battery.refill_s;
+  data::Rendezvous out;
+  out.kind = data::StopKind::kDepot;
+  out.site = out.carry_to = to_data(depot_m);
+  out.robot_energy_left = charger.battery.capacity;
+  if (before != nullptr) {
+    out.rendezvous_id = before->id;
+    out.depart_s = std::max(0.0, before->robot_arrives_s - drive_s(charger, depot_m, before->site_m));
+    out.arrive_by_s = std::max(0.0, out.depart_s - refill_s);
+    return out;
+  }
+  out.rendezvous_id = entry_id(plan.legs.size() + 1);
+  if (plan.rendezvous.empty()) return out;
+  const Rendezvous& last = plan.rendezvous.back();
+  const double home_s = drive_s(charger, last.carry ? last.carry_to_m : last.site_m, depot_m);
+  if (!std::isfinite(home_s)) return out;
+  out.robot_energy = std::max(0.0, last.robot_energy_left - charger.battery.drive_per_s * home_s);
+  out.arrive_by_s = std::max(0.0, last.depart_s) + home_s;
+  out.depart_s = out.arrive_by_s + refill_s;
+  return out;
+}
+
+/// Writes the robot's stops in the order in which it drives to them, each with its way there and home.
+class StopWriter {
+ public:
+  StopWriter(const Charger& charger, const planner::Terrain& terrain, const Vec3& robot_m,
+             data::ChargerPlan& out)
+      : charger_(charger), terrain_(terrain), depot_m_(charger.start_m), at_m_(robot_m), out_(out) {
+    depot_m_.z() = terrain.height_at(depot_m_.x(), depot_m_.y());
+    if (!is_limited()) return;
+    const RobotWay home = robot_way(charger_, terrain_, at_m_, depot_m_);
+    const Part way = add_bends(home.bends_m, out_.bends);
+    out_.home_first_bend = way.first;
+    out_.home_bend_count = way.count;
+    out_.home_speed_mps = home.speed_mps;
+  }
+
+  bool is_limited() const { return std::isfinite(charger_.battery.capacity); }
+  const Vec3& depot_m() const { return depot_m_; }
+
+  void add(data::Rendezvous stop, const Vec3& site_m, const Vec3& end_m) {
+    const RobotWay there = robot_way(charger_, terrain_, at_m_, site_m);
+    const RobotWay on = robot_way(charger_, terrain_, site_m, end_m);
+    const Part way = add_bends(there.bends_m, out_.bends);
+    const Part carry = add_bends(on.bends_m, out_.bends);
+    stop.first_bend = way.first;
+    stop.bend_count = way.count;
+    stop.speed_mps = there.speed_mps;
+    stop.carry_first_bend = carry.first;
+    stop.carry_bend_count = carry.count;
+    stop.carry_speed_mps = on.speed_mps;
+    if (is_limited() && stop.kind == data::StopKind::kMeeting) {
+      const RobotWay back = robot_way(charger_, terrain_, end_m, depot_m_);
+      const Part home = add_bends(back.bends_m, out_.bends);
+      stop.home_first_bend = home.first;
+      stop.home_bend_count = home.count;
+      stop.home_speed_mps = back.speed_mps;
+    }
+    out_.rendezvous.push_back(stop);
+    at_m_ = end_m;
+  }
+
+ private:
+  const Charger& charger_;
+  const planner::Terrain& terrain_;
+  Vec3 depot_m_;
+  Vec3 at_m_;
+  data::ChargerPlan& out_;
+};
+
 void add_rendezvous(const LivePlan& plan, const Charger& charger, const planner::Terrain& terrain,
                     const Vec3& robot_m, data::ChargerPlan& out) {
-  Vec3 at = robot_m;
+  StopWriter stops(charger, terrain, robot_m, out);
   for (const Rendezvous& meeting : plan.rendezvous) {
-    data::Rendezvous next = to_data(meeting);
-    const RobotWay there = robot_way(charger, terrain, at, meeting.site_m);
-    const RobotWay on = robot_way(charger, terrain, meeting.site_m, meeting.carry_to_m);
-    const Part way = add_bends(there.bends_m, out.bends);
-    const Part carry = add_bends(on.bends_m, out.bends);
-    next.first_bend = way.first;
-    next.bend_count = way.count;
-    next.speed_mps = there.speed_mps;
-    next.carry_first_bend = carry.first;
-    next.carry_bend_count = carry.count;
-    next.carry_speed_mps = on.speed_mps;
-    out.rendezvous.push_back(next);
-    at = meeting.carry ? meeting.carry_to_m : meeting.site_m;
+    if (meeting.by_depot)
+      stops.add(depot_stop(plan, charger, &meeting, stops.depot_m()), stops.depot_m(), stops.depot_m());
+    stops.add(to_data(meeting), meeting.site_m, meeting.carry ? meeting.carry_to_m : meeting.site_m);
   }
+  if (stops.is_limited())
+    stops.add(depot_stop(plan, charger, nullptr, stops.depot_m()), stops.depot_m(), stops.depot_m());
 }
 
 /// The ways' bends, back where PlanKeeper has them: the first way's without the start.
@@ -145,7 +212,7 @@ BatteryView to_view(const data::BatteryState& state) { return {state.time_s, sta
 
 RobotView to_view(const data::ChargerState& state) {
   return {state.time_s, to_vec(state.position), state.docked_vehicle_id != 0,
-          state.activity == data::ChargerActivity::kDelayed};
+          state.activity == data::ChargerActivity::kDelayed, state.energy};
 }
 
 WirePlans to_wire(const PlanKeeper& keeper, const planner::Terrain& terrain, const Vec3& robot_m,
@@ -179,6 +246,10 @@ WirePlans to_wire(const PlanKeeper& keeper, const planner::Terrain& terrain, con
   charger.landing_s = task.charger.landing_s;
   charger.take_off_s = task.charger.take_off_s;
   charger.start = to_data(task.charger.start_m);
+  if (const RobotBattery& own = task.charger.battery; std::isfinite(own.capacity)) {
+    charger.has_battery = true;
+    charger.battery = {own.capacity, own.reserve, own.drive_per_s, own.per_charged, own.refill_s};
+  }
   add_rendezvous(plan, task.charger, terrain, robot_m, charger);
   return out;
 }

@@ -249,13 +249,15 @@ void CoverageParticipant::take_states() {
 bool CoverageParticipant::fits_the_wire(const WirePlans& plans) {
   const std::size_t legs = plans.coverage.legs.size();
   const std::size_t bends = std::max(plans.coverage.bends.size(), plans.charger.bends.size());
-  if (legs <= data::kMaxLegs && bends <= data::kMaxBends) return true;
+  const std::size_t stops = plans.charger.rendezvous.size();
+  if (legs <= data::kMaxLegs && bends <= data::kMaxBends && stops <= data::kMaxRendezvous) return true;
   bus_.count_rejection("CoverageTask", "more than a plan holds");
-  status_->set_health(data::Health::kDegraded, "The plan has " + std::to_string(legs) +
-                                                   " legs and ways with " + std::to_string(bends) +
-                                                   " bends; a plan on the wire holds " +
-                                                   std::to_string(data::kMaxLegs) + " and " +
-                                                   std::to_string(data::kMaxBends) + ". Split the task.");
+  status_->set_health(data::Health::kDegraded,
+                      "The plan has " + std::to_string(legs) + " legs, " + std::to_string(stops) +
+                          " stops of the robot and ways with " + std::to_string(bends) +
+                          " bends; a plan on the wire holds " + std::to_string(data::kMaxLegs) + ", " +
+                          std::to_string(data::kMaxRendezvous) + " and " + std::to_string(data::kMaxBends) +
+                          ". Split the task.");
   return false;
 }
 

@@ -164,6 +164,10 @@ Result<Task> task_of(const data::CoverageTask& in) {
   out.charger.take_off_s = in.charger.take_off_s;
   out.charger.landing_s = in.charger.landing_s;
   out.charger.start_m = to_vec(in.charger.start);
+  if (in.charger.has_battery) {
+    const data::RobotBattery& own = in.charger.battery;
+    out.charger.battery = {own.capacity, own.drive_per_s, own.per_charged, own.refill_s, own.reserve};
+  }
   out.start_m = to_vec(in.start);
   out.seed = in.seed;
   return out;

@@ -56,6 +56,11 @@ struct Rendezvous {
   /// Where the robot's ways to the site, and on to where it carries the aircraft, bend; empty when straight.
   std::vector<Vec3> robot_bends_m{};
   std::vector<Vec3> carry_bends_m{};
+  /// Of a robot with a battery of its own (robot_trips.hpp): whether it comes by its depot, what it holds on
+  /// its arrival, and when it has done here what it came for.
+  bool by_depot = false;
+  double robot_energy = 0.0;
+  double robot_energy_left = 0.0;
 };
 
 /// The robot fetches new energy at its depot before it drives to a rendezvous, whose robot_bends_m then begin

@@ -60,4 +60,13 @@ struct VehicleLimits {
   bool operator==(const VehicleLimits&) const = default;
 };
 
+struct RobotBattery {
+  double capacity = 0.0;
+  double reserve = 0.0;
+  double drive_per_s = 0.0;
+  double per_charged = 1.0;
+  double refill_s = 0.0;
+  bool operator==(const RobotBattery&) const = default;
+};
+
 }  // namespace swallowtail::data

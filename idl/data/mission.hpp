@@ -109,6 +109,8 @@ struct ChargerLimits {
   double landing_s = 5.0;
   Vec3 start;
   GroundLimits ground;
+  bool has_battery = false;
+  RobotBattery battery;
   bool operator==(const ChargerLimits&) const = default;
 };
 
@@ -141,7 +143,6 @@ struct Goal {
   GeoOrigin origin;
   Vec3 start;
   Vec3 position;
-  double arrive_by_s = 0.0;
   VehicleLimits vehicle;
   Vec3 bounds_min;
   Vec3 bounds_max;

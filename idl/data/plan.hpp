@@ -53,8 +53,11 @@ struct CoveragePlan {
   bool operator==(const CoveragePlan&) const = default;
 };
 
+enum class StopKind : std::uint8_t { kMeeting, kDepot };
+
 struct Rendezvous {
   std::uint32_t rendezvous_id = 0;
+  StopKind kind = StopKind::kMeeting;
   Vec3 site;
   double arrive_by_s = 0.0;
   double depart_s = 0.0;
@@ -67,6 +70,11 @@ struct Rendezvous {
   std::uint32_t carry_first_bend = 0;
   std::uint32_t carry_bend_count = 0;
   double carry_speed_mps = 0.0;
+  double robot_energy = 0.0;
+  double robot_energy_left = 0.0;
+  std::uint32_t home_first_bend = 0;
+  std::uint32_t home_bend_count = 0;
+  double home_speed_mps = 0.0;
   bool operator==(const Rendezvous&) const = default;
 };
 
@@ -82,6 +90,11 @@ struct ChargerPlan {
   double landing_s = 0.0;
   double take_off_s = 0.0;
   Vec3 start;
+  bool has_battery = false;
+  RobotBattery battery;
+  std::uint32_t home_first_bend = 0;
+  std::uint32_t home_bend_count = 0;
+  double home_speed_mps = 0.0;
   std::vector<Rendezvous> rendezvous;
   std::vector<Vec3> bends;
   bool operator==(const ChargerPlan&) const = default;

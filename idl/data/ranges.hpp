@@ -45,6 +45,13 @@ inline bool is_origin(const GeoOrigin& v) {
   return is_within(v.lat_deg, -90.0, 90.0) && is_within(v.lon_deg, -180.0, 180.0) && is_height(v.elevation_m);
 }
 
+/// Of the ground robot's own, see RobotBattery.
+inline bool is_robot_battery(const RobotBattery& v) {
+  return v.capacity > 0.0 && v.capacity <= kMaxEnergy && is_within(v.reserve, 0.0, v.capacity) &&
+         v.reserve < v.capacity && is_within(v.drive_per_s, 0.0, kMaxPower) &&
+         is_within(v.per_charged, 0.0, kMaxPower) && is_time(v.refill_s);
+}
+
 /// Where charging slows down and what is left of its rate, see BatteryLimits.
 inline bool is_taper(double from, double end_rate) {
   return is_within(from, 0.0, 1.0) && is_within(end_rate, 1e-3, 1.0);

@@ -95,7 +95,8 @@ enum class ChargerActivity : std::uint8_t {
   kCharging,
   kCarrying,
   kReady,
-  kDelayed
+  kDelayed,
+  kRefilling
 };
 
 struct ChargerState {
@@ -110,6 +111,7 @@ struct ChargerState {
   std::uint32_t rendezvous_id = 0;
   std::uint32_t rendezvous_done = 0;
   std::uint32_t plan_revision = 0;
+  double energy = 0.0;
   bool operator==(const ChargerState&) const = default;
 };
 

@@ -101,6 +101,7 @@ Refusal check(const ChargerLimits& charger) {
   if (!is_time(charger.take_off_s) || !is_time(charger.landing_s))
     return "charger handling time out of range";
   if (!is_position(charger.start)) return "charger start out of range";
+  if (charger.has_battery && !is_robot_battery(charger.battery)) return "charger battery out of range";
   return check(charger.ground);
 }
 
@@ -253,7 +254,6 @@ Refusal validate(const CoverageTask& task) {
 Refusal validate(const Goal& goal) {
   if (!is_origin(goal.origin)) return "geodetic origin out of range";
   if (!is_position(goal.start) || !is_position(goal.position)) return "position out of range";
-  if (!is_time(goal.arrive_by_s)) return "time out of range";
   if (!is_position(goal.bounds_min) || !is_position(goal.bounds_max)) return "bounds out of range";
   if (!(goal.bounds_min.x_m < goal.bounds_max.x_m && goal.bounds_min.y_m < goal.bounds_max.y_m &&
         goal.bounds_min.z_m < goal.bounds_max.z_m)) {

@@ -40,12 +40,24 @@ Refusal check_bends(const std::vector<Vec3>& bends) {
 }
 
 Refusal check(const Rendezvous& meeting) {
+  if (meeting.kind > StopKind::kDepot) return "enumerator out of range";
   if (!is_position(meeting.site) || !is_position(meeting.carry_to)) return "site out of range";
   if (!is_time(meeting.arrive_by_s) || !is_time(meeting.depart_s)) return "time out of range";
   if (meeting.depart_s < meeting.arrive_by_s) return "rendezvous ends before it starts";
   if (!is_energy(meeting.charge_to)) return "charge level out of range";
-  if (!is_speed(meeting.speed_mps) || !is_speed(meeting.carry_speed_mps)) return "charger speed out of range";
+  if (!is_speed(meeting.speed_mps) || !is_speed(meeting.carry_speed_mps) || !is_speed(meeting.home_speed_mps))
+    return "charger speed out of range";
+  if (!is_energy(meeting.robot_energy) || !is_energy(meeting.robot_energy_left))
+    return "charger energy out of range";
+  if (meeting.kind == StopKind::kDepot && meeting.carry) return "depot carries";
   return {};
+}
+
+/// Ids grow; a stop at the depot has that of the meeting after it.
+bool follows(const Rendezvous& stop, const Rendezvous& last) {
+  const bool is_from_depot = last.kind == StopKind::kDepot && stop.kind == StopKind::kMeeting;
+  return stop.rendezvous_id > last.rendezvous_id ||
+         (is_from_depot && stop.rendezvous_id == last.rendezvous_id);
 }
 
 }  // namespace
@@ -81,8 +93,13 @@ Refusal validate(const ChargerPlan& plan) {
   if (!is_time(plan.landing_s) || !is_time(plan.take_off_s)) return "charger handling time out of range";
   if (!is_position(plan.start)) return "charger start out of range";
   if (!is_taper(plan.taper_from, plan.taper_end_rate)) return "charging taper out of range";
+  if (!is_speed(plan.home_speed_mps)) return "charger speed out of range";
+  if (plan.has_battery && !is_robot_battery(plan.battery)) return "charger battery out of range";
   if (const Refusal refusal = check_bends(plan.bends)) return refusal;
   std::uint64_t next_bend = 0;
+  if (const Refusal refusal =
+          check_way(plan.home_first_bend, plan.home_bend_count, plan.bends.size(), next_bend))
+    return refusal;
   for (std::size_t i = 0; i < plan.rendezvous.size(); ++i) {
     const Rendezvous& meeting = plan.rendezvous[i];
     if (const Refusal refusal = check(meeting)) return refusal;
@@ -92,8 +109,11 @@ Refusal validate(const ChargerPlan& plan) {
     if (const Refusal refusal =
             check_way(meeting.carry_first_bend, meeting.carry_bend_count, plan.bends.size(), next_bend))
       return refusal;
-    if (i > 0 && meeting.rendezvous_id <= plan.rendezvous[i - 1].rendezvous_id)
-      return "rendezvous ids not growing";
+    if (const Refusal refusal =
+            check_way(meeting.home_first_bend, meeting.home_bend_count, plan.bends.size(), next_bend))
+      return refusal;
+    if (meeting.kind == StopKind::kDepot && !plan.has_battery) return "depot without a battery";
+    if (i > 0 && !follows(meeting, plan.rendezvous[i - 1])) return "rendezvous ids not growing";
   }
   return {};
 }
@@ -123,8 +143,8 @@ Refusal validate(const ChargerState& state) {
   if (!is_position(state.position)) return "position out of range";
   if (!is_speed(state.speed_mps)) return "speed out of range";
   if (!is_within(state.charge_rate, 0.0, kMaxPower)) return "charge rate out of range";
-  if (!is_total(state.energy_delivered)) return "energy out of range";
-  if (state.activity > ChargerActivity::kDelayed) return "enumerator out of range";
+  if (!is_total(state.energy_delivered) || !is_energy(state.energy)) return "energy out of range";
+  if (state.activity > ChargerActivity::kRefilling) return "enumerator out of range";
   if (state.charge_rate > 0.0 && state.docked_vehicle_id == 0) return "charging no vehicle";
   return {};
 }

@@ -105,12 +105,13 @@ struct RoughGroundSpec {
   double cell_m = 2.0;
 };
 
-/// The ground robot's own, which it refills at start_m. `cover` plans with it; missions do not know it.
+/// The ground robot's own, which it refills at start_m.
 struct RobotBatterySpec {
   double capacity = 0.0;     ///< units
   double drive_per_s = 0.0;  ///< units for each second that it drives
   double per_charged = 1.0;  ///< units for each that the aircraft is charged with
   double refill_s = 0.0;
+  double reserve = 0.0;  ///< that it keeps
 };
 
 struct ChargerSpec {
@@ -169,9 +170,24 @@ struct ChargerDelay {
   double delay_s = 0.0;
 };
 
+/// Of the robot's own battery.
+struct ChargerLoss {
+  double energy = 0.0;
+};
+
+/// Another aircraft takes the place of the one that flies, under the same id, as soon as that stands on the
+/// ground.
+struct AircraftReplaced {
+  std::optional<Vec2> start_m{};     ///< where it stands; none: where the mission starts
+  std::optional<double> capacity{};  ///< of its battery; none: as that of the coverage says
+  std::optional<double> energy{};    ///< that it holds; none: full
+};
+
 struct Event {
   double at_s = 0.0;
-  std::variant<ObstacleAppears, ObstacleMoves, ObstacleVanishes, BatteryLoss, ChargerDelay> what;
+  std::variant<ObstacleAppears, ObstacleMoves, ObstacleVanishes, BatteryLoss, ChargerDelay, ChargerLoss,
+               AircraftReplaced>
+      what;
 };
 
 struct Scenario {

@@ -199,7 +199,7 @@ void Replay::visit_depot(const std::string& name) {
   const coverage::DepotVisit& visit = plan_.depot_visits[visits_++];
   const double there_s =
       robot_.free_s + robot_.drive_to(visit.bends_m, task_.charger.start_m, verdict_.faults);
-  at_least(name + ", the robot's energy when back at its depot", robot_.held + kSlack, 0.0);
+  at_least(name + ", the robot's energy when back at its depot", robot_.held + kSlack, task_.charger.battery.reserve);
   at_least(name + ", the robot's arrival at its depot", visit.arrives_s,
            there_s - question_.time_tolerance_s);
   robot_.tell(question_.watch_robot, visit.arrives_s);
@@ -215,7 +215,7 @@ void Replay::drive_robot_home() {
   if (may_stay || plan_.rendezvous.empty()) return;
   const double home_s =
       robot_.free_s + robot_.drive_to(plan_.home_bends_m, task_.charger.start_m, verdict_.faults);
-  at_least("the robot's energy when it is home", robot_.held + kSlack, 0.0);
+  at_least("the robot's energy when it is home", robot_.held + kSlack, task_.charger.battery.reserve);
   at_least("the robot's arrival at home", plan_.robot_home_s, home_s - question_.time_tolerance_s);
   robot_.tell(question_.watch_robot, plan_.robot_home_s);
 }

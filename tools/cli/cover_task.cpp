@@ -126,7 +126,7 @@ Result<CoverJob> job_of(const planner::Scenario& scenario, std::uint64_t seed) {
   task.charger.landing_s = spec.charger.landing_s;
   task.charger.start_m = on_ground(*terrain, spec.charger.start_m);
   if (const auto& own = spec.charger.battery)
-    task.charger.battery = {own->capacity, own->drive_per_s, own->per_charged, own->refill_s};
+    task.charger.battery = {own->capacity, own->drive_per_s, own->per_charged, own->refill_s, own->reserve};
   const coverage::Box ground{scenario.bounds.min_m.head<2>(), scenario.bounds.max_m.head<2>()};
   auto travel = coverage::ground_of(spec.charger, ground, task.origin, *terrain);
   if (!travel) return travel.error();

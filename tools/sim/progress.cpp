@@ -72,6 +72,8 @@ std::string_view name(data::ChargerActivity activity) {
       return "carrying";
     case data::ChargerActivity::kReady:
       return "ready";
+    case data::ChargerActivity::kRefilling:
+      return "refilling";
     case data::ChargerActivity::kDelayed:
       return "delayed";
   }

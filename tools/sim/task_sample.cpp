@@ -162,7 +162,12 @@ void fill_limits(const planner::Scenario& scenario, const planner::Terrain& terr
                   .take_off_s = spec.charger.take_off_s,
                   .landing_s = spec.charger.landing_s,
                   .start = {.x_m = site.x(), .y_m = site.y(), .z_m = terrain.height_at(site.x(), site.y())},
-                  .ground = {}};
+                  .ground = {},
+                  .battery = {}};
+  if (const auto& own = spec.charger.battery) {
+    task.charger.has_battery = true;
+    task.charger.battery = {own->capacity, own->reserve, own->drive_per_s, own->per_charged, own->refill_s};
+  }
 }
 
 Status check_bounds(const data::CoverageTask& task) {

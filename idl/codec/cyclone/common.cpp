@@ -46,4 +46,24 @@ swallowtail_VehicleLimits vehicle_limits(const data::VehicleLimits& d) {
   return w;
 }
 
+data::RobotBattery robot_battery(const swallowtail_RobotBattery& w) {
+  data::RobotBattery d;
+  d.capacity = w.capacity;
+  d.reserve = w.reserve;
+  d.drive_per_s = w.drive_per_s;
+  d.per_charged = w.per_charged;
+  d.refill_s = w.refill_s;
+  return d;
+}
+
+swallowtail_RobotBattery robot_battery(const data::RobotBattery& d) {
+  swallowtail_RobotBattery w{};
+  w.capacity = d.capacity;
+  w.reserve = d.reserve;
+  w.drive_per_s = d.drive_per_s;
+  w.per_charged = d.per_charged;
+  w.refill_s = d.refill_s;
+  return w;
+}
+
 }  // namespace swallowtail::codec::cyclone

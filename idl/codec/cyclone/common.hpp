@@ -49,6 +49,8 @@ data::GeoOrigin geo_origin(const swallowtail_GeoOrigin& wire);
 swallowtail_GeoOrigin geo_origin(const data::GeoOrigin& value);
 data::VehicleLimits vehicle_limits(const swallowtail_VehicleLimits& wire);
 swallowtail_VehicleLimits vehicle_limits(const data::VehicleLimits& value);
+data::RobotBattery robot_battery(const swallowtail_RobotBattery& wire);
+swallowtail_RobotBattery robot_battery(const data::RobotBattery& value);
 
 template <std::size_t N>
 void get_text(const char (&wire)[N], std::string& text) {

@@ -189,6 +189,8 @@ data::Refusal get_charger_limits(const swallowtail_ChargerLimits& w, data::Charg
   d.landing_s = w.landing_s;
   d.start = vec3(w.start);
   if (const auto refusal = get_ground_limits(w.ground, d.ground)) return refusal;
+  d.has_battery = w.has_battery;
+  d.battery = robot_battery(w.battery);
   return {};
 }
 
@@ -199,6 +201,8 @@ void put_charger_limits(const data::ChargerLimits& d, swallowtail_ChargerLimits&
   w.landing_s = d.landing_s;
   w.start = vec3(d.start);
   put_ground_limits(d.ground, w.ground);
+  w.has_battery = d.has_battery;
+  w.battery = robot_battery(d.battery);
 }
 
 }  // namespace
@@ -254,7 +258,6 @@ data::Refusal to_data(const swallowtail_Goal& w, data::Goal& d) {
   d.origin = geo_origin(w.origin);
   d.start = vec3(w.start);
   d.position = vec3(w.position);
-  d.arrive_by_s = w.arrive_by_s;
   d.vehicle = vehicle_limits(w.vehicle);
   d.bounds_min = vec3(w.bounds_min);
   d.bounds_max = vec3(w.bounds_max);
@@ -269,7 +272,6 @@ void to_wire(const data::Goal& d, swallowtail_Goal& w) {
   w.origin = geo_origin(d.origin);
   w.start = vec3(d.start);
   w.position = vec3(d.position);
-  w.arrive_by_s = d.arrive_by_s;
   w.vehicle = vehicle_limits(d.vehicle);
   w.bounds_min = vec3(d.bounds_min);
   w.bounds_max = vec3(d.bounds_max);

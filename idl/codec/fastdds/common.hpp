@@ -29,6 +29,8 @@ data::GeoOrigin geo_origin(const swallowtail_wire::GeoOrigin& wire);
 swallowtail_wire::GeoOrigin geo_origin(const data::GeoOrigin& value);
 data::VehicleLimits vehicle_limits(const swallowtail_wire::VehicleLimits& wire);
 swallowtail_wire::VehicleLimits vehicle_limits(const data::VehicleLimits& value);
+data::RobotBattery robot_battery(const swallowtail_wire::RobotBattery& wire);
+swallowtail_wire::RobotBattery robot_battery(const data::RobotBattery& value);
 
 template <std::size_t N>
 void get_text(const eprosima::fastrtps::fixed_string<N>& wire, std::string& text) {

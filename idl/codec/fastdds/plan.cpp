@@ -61,6 +61,7 @@ void put_coverage_basis(const data::CoverageBasis& d, swallowtail_wire::Coverage
 
 data::Refusal get_rendezvous(const swallowtail_wire::Rendezvous& w, data::Rendezvous& d) {
   d.rendezvous_id = w.rendezvous_id();
+  if (!get_enum(w.kind(), data::StopKind::kDepot, d.kind)) return kBadEnumerator;
   d.site = vec3(w.site());
   d.arrive_by_s = w.arrive_by_s();
   d.depart_s = w.depart_s();
@@ -73,11 +74,17 @@ data::Refusal get_rendezvous(const swallowtail_wire::Rendezvous& w, data::Rendez
   d.carry_first_bend = w.carry_first_bend();
   d.carry_bend_count = w.carry_bend_count();
   d.carry_speed_mps = w.carry_speed_mps();
+  d.robot_energy = w.robot_energy();
+  d.robot_energy_left = w.robot_energy_left();
+  d.home_first_bend = w.home_first_bend();
+  d.home_bend_count = w.home_bend_count();
+  d.home_speed_mps = w.home_speed_mps();
   return {};
 }
 
 void put_rendezvous(const data::Rendezvous& d, swallowtail_wire::Rendezvous& w) {
   w.rendezvous_id() = d.rendezvous_id;
+  put_enum(d.kind, w.kind());
   w.site() = vec3(d.site);
   w.arrive_by_s() = d.arrive_by_s;
   w.depart_s() = d.depart_s;
@@ -90,6 +97,11 @@ void put_rendezvous(const data::Rendezvous& d, swallowtail_wire::Rendezvous& w) 
   w.carry_first_bend() = d.carry_first_bend;
   w.carry_bend_count() = d.carry_bend_count;
   w.carry_speed_mps() = d.carry_speed_mps;
+  w.robot_energy() = d.robot_energy;
+  w.robot_energy_left() = d.robot_energy_left;
+  w.home_first_bend() = d.home_first_bend;
+  w.home_bend_count() = d.home_bend_count;
+  w.home_speed_mps() = d.home_speed_mps;
 }
 
 data::Refusal get_timed_waypoint(const swallowtail_wire::TimedWaypoint& w, data::TimedWaypoint& d) {
@@ -169,6 +181,11 @@ data::Refusal to_data(const swallowtail_wire::ChargerPlan& w, data::ChargerPlan&
   d.landing_s = w.landing_s();
   d.take_off_s = w.take_off_s();
   d.start = vec3(w.start());
+  d.has_battery = w.has_battery();
+  d.battery = robot_battery(w.battery());
+  d.home_first_bend = w.home_first_bend();
+  d.home_bend_count = w.home_bend_count();
+  d.home_speed_mps = w.home_speed_mps();
   if (const auto refusal = get_sequence(w.rendezvous(), data::kMaxRendezvous, d.rendezvous, get_rendezvous))
     return refusal;
   if (const auto refusal = get_sequence(w.bends(), data::kMaxBends, d.bends, get_bend)) return refusal;
@@ -187,6 +204,11 @@ void to_wire(const data::ChargerPlan& d, swallowtail_wire::ChargerPlan& w) {
   w.landing_s() = d.landing_s;
   w.take_off_s() = d.take_off_s;
   w.start() = vec3(d.start);
+  w.has_battery() = d.has_battery;
+  w.battery() = robot_battery(d.battery);
+  w.home_first_bend() = d.home_first_bend;
+  w.home_bend_count() = d.home_bend_count;
+  w.home_speed_mps() = d.home_speed_mps;
   put_sequence(d.rendezvous, w.rendezvous(), put_rendezvous);
   put_sequence(d.bends, w.bends(), put_bend);
 }

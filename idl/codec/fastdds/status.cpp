@@ -27,10 +27,11 @@ data::Refusal to_data(const swallowtail_wire::ChargerState& w, data::ChargerStat
   d.docked_vehicle_id = w.docked_vehicle_id();
   d.charge_rate = w.charge_rate();
   d.energy_delivered = w.energy_delivered();
-  if (!get_enum(w.activity(), data::ChargerActivity::kDelayed, d.activity)) return kBadEnumerator;
+  if (!get_enum(w.activity(), data::ChargerActivity::kRefilling, d.activity)) return kBadEnumerator;
   d.rendezvous_id = w.rendezvous_id();
   d.rendezvous_done = w.rendezvous_done();
   d.plan_revision = w.plan_revision();
+  d.energy = w.energy();
   return {};
 }
 
@@ -46,6 +47,7 @@ void to_wire(const data::ChargerState& d, swallowtail_wire::ChargerState& w) {
   w.rendezvous_id() = d.rendezvous_id;
   w.rendezvous_done() = d.rendezvous_done;
   w.plan_revision() = d.plan_revision;
+  w.energy() = d.energy;
 }
 
 data::Refusal to_data(const swallowtail_wire::ParticipantStatus& w, data::ParticipantStatus& d) {

@@ -25,13 +25,30 @@ struct PlacedEvent {
 std::string kind_of(Section& section) {
   std::string kind;
   int count = 0;
-  for (const char* key :
-       {"obstacle", "move_obstacle", "remove_obstacle", "battery_loss", "charger_delay_s"}) {
+  for (const char* key : {"obstacle", "move_obstacle", "remove_obstacle", "battery_loss", "charger_delay_s",
+                          "charger_loss", "replace_aircraft"}) {
     if (!section.has(key)) continue;
     kind = key;
     ++count;
   }
   return count == 1 ? kind : "";
+}
+
+bool read_replacement(Section& section, Event& event) {
+  auto one = section.section("replace_aircraft", Need::kRequired);
+  if (!one || !one->is_map()) return false;
+  AircraftReplaced what;
+  bool ok = true;
+  Vec2 start_m = Vec2::Zero();
+  if (one->has("start_m")) {
+    ok = one->vector("start_m", Need::kRequired, from_to(-kMaxXy_m, kMaxXy_m), start_m);
+    what.start_m = start_m;
+  }
+  if (one->has("capacity")) ok = one->number("capacity", Need::kRequired, kEnergy, what.capacity) && ok;
+  if (one->has("energy")) ok = one->number("energy", Need::kRequired, kEnergy, what.energy) && ok;
+  one->finish();
+  event.what = what;
+  return ok;
 }
 
 bool read_what(Section& section, const std::string& kind, Event& event) {
@@ -60,9 +77,16 @@ bool read_what(Section& section, const std::string& kind, Event& event) {
     event.what = what;
     return ok;
   }
+  if (kind == "replace_aircraft") return read_replacement(section, event);
   if (kind == "battery_loss") {
     BatteryLoss what;
     const bool ok = section.number("battery_loss", Need::kRequired, kEnergy, what.energy);
+    event.what = what;
+    return ok;
+  }
+  if (kind == "charger_loss") {
+    ChargerLoss what;
+    const bool ok = section.number("charger_loss", Need::kRequired, kEnergy, what.energy);
     event.what = what;
     return ok;
   }
@@ -91,14 +115,30 @@ class EventChecker {
     } else if (const auto* vanishes = std::get_if<ObstacleVanishes>(&what)) {
       if (present_.erase(vanishes->id) == 0) fail_missing(placed, vanishes->id);
     } else if (!scenario_.coverage) {
-      fail(placed, Kind::kRelation, "a battery_loss or charger_delay_s needs coverage");
+      fail(placed, Kind::kRelation,
+           "a battery_loss, charger_delay_s, charger_loss or replace_aircraft needs coverage");
     } else if (const auto* loss = std::get_if<BatteryLoss>(&what);
                loss && loss->energy > scenario_.coverage->battery.capacity) {
       fail(placed, Kind::kRelation, "battery_loss must be at most coverage.battery.capacity");
+    } else if (std::holds_alternative<ChargerLoss>(what) && !scenario_.coverage->charger.battery) {
+      fail(placed, Kind::kRelation, "a charger_loss needs coverage.charger.battery");
+    } else if (const auto* other = std::get_if<AircraftReplaced>(&what)) {
+      check_aircraft(placed, *other);
     }
   }
 
  private:
+  void check_aircraft(const PlacedEvent& placed, const AircraftReplaced& other) {
+    const BatterySpec& battery = scenario_.coverage->battery;
+    const double capacity = other.capacity.value_or(battery.capacity);
+    if (capacity > battery.capacity || capacity <= battery.reserve)
+      fail(placed, Kind::kRelation, "capacity must be above the reserve, at most coverage.battery.capacity");
+    if (other.energy.value_or(capacity) > capacity)
+      fail(placed, Kind::kRelation, "energy must be at most the capacity");
+    const Bounds& bounds = scenario_.bounds;
+    if (other.start_m && !bounds.contains({other.start_m->x(), other.start_m->y(), bounds.min_m.z()}))
+      fail(placed, Kind::kRelation, "start_m must be within bounds_m");
+  }
   void fail(const PlacedEvent& placed, Kind kind, std::string rule) {
     log_.add(kind, placed.item.node->line, placed.item.path, "", std::move(rule));
   }
@@ -125,7 +165,8 @@ void read_events(Section& top, Scenario& scenario) {
     if (kind.empty()) {
       top.log().add(
           Kind::kType, item.node->line, item.path, "",
-          "must hold exactly one of obstacle, move_obstacle, remove_obstacle, battery_loss, charger_delay_s");
+          "must hold exactly one of obstacle, move_obstacle, remove_obstacle, battery_loss, charger_delay_s, "
+          "charger_loss, replace_aircraft");
       ok = false;
     } else {
       ok = read_what(section, kind, event) && ok;

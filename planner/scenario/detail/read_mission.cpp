@@ -149,7 +149,10 @@ void read_charger(Section& coverage, const std::string& folder, const Bounds& bo
     battery->number("drive_per_s", Need::kRequired, from_to(0, 1e6), spec.drive_per_s);
     battery->number("per_charged", Need::kOptional, from_to(0, 1e3), spec.per_charged);
     battery->number("refill_s", Need::kOptional, from_to(0, 1e6), spec.refill_s);
+    battery->number("reserve", Need::kOptional, from_to(0, 1e9), spec.reserve);
     battery->finish();
+    if (spec.capacity > 0.0 && spec.reserve >= spec.capacity)
+      battery->fail(Kind::kRelation, "reserve", "must be below capacity");
   }
   charger->finish();
 }

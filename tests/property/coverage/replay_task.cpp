@@ -142,6 +142,8 @@ ReplayTask random_replay_task(std::uint64_t seed) {
     own.drive_per_s = robot.uniform(0.0, 0.3);
     own.per_charged = robot.uniform(0.8, 1.3);
     own.refill_s = robot.uniform(0.0, 120.0);
+    own.reserve = robot.uniform(0.0, 0.1) * own.capacity;
+    own.capacity += own.reserve;
   }
   out.options.energy_margin = rng.uniform(0.0, 0.15);
   out.options.energy_spare = rng.uniform(0.0, 0.04);

@@ -50,6 +50,10 @@ class Draw {
     return {positive(1e4), in(0, 1e4),     positive(200), positive(200),
             positive(200), positive(3.14), positive(1.57)};
   }
+  RobotBattery robot_battery() {
+    const double capacity = positive(1e9);
+    return {capacity, 0.5 * in(0, capacity), in(0, 1e6), in(0, 1e6), time()};
+  }
 
  private:
   Extent extent_;
@@ -195,6 +199,8 @@ void fill(CoverageTask& s, Extent extent, Rng& rng) {
   s.battery.taper_end_rate = draw.in(1e-3, 1);
   fill_model(s.battery.model, draw);
   s.charger = {draw.id(), draw.in(0, 200), draw.time(), draw.time(), draw.position()};
+  s.charger.has_battery = draw.coin();
+  s.charger.battery = draw.robot_battery();
   s.charger.ground = {.kind = s.roads.empty() ? GroundKind::kOpen : draw.any(GroundKind::kRough),
                       .off_road_speed_mps = draw.in(0, 200),
                       .off_road_max_m = draw.in(0, 1e6),
@@ -219,7 +225,6 @@ void fill(Goal& s, Extent extent, Rng& rng) {
   Draw draw(extent, rng);
   s = {.vehicle_id = draw.id(), .revision = draw.id(), .origin = draw.origin(), .start = draw.position()};
   s.position = draw.position();
-  s.arrive_by_s = draw.time();
   s.vehicle = draw.limits();
   s.bounds_min = {-1e6, -1e6, -1e3};
   s.bounds_max = {1e6, 1e6, 2e4};
@@ -270,6 +275,11 @@ void fill(ChargerPlan& s, Extent extent, Rng& rng) {
   s.landing_s = draw.time();
   s.take_off_s = draw.time();
   s.start = draw.position();
+  s.has_battery = extent == Extent::kFull || draw.coin();
+  s.battery = draw.robot_battery();
+  s.home_speed_mps = draw.in(0, 200);
+  if (extent != Extent::kFull)
+    s.home_bend_count = draw_bends(s.bends, static_cast<std::uint32_t>(rng.below(3)), draw);
   s.rendezvous.resize(draw.length(kMaxRendezvous));
   std::uint32_t id = 0;
   for (Rendezvous& r : s.rendezvous) {
@@ -277,7 +287,11 @@ void fill(ChargerPlan& s, Extent extent, Rng& rng) {
     r.arrive_by_s = rng.uniform(0, 5e6);
     r.depart_s = r.arrive_by_s + rng.uniform(0, 5e6);
     r.charge_to = draw.in(0, 1e9);
-    r.carry = draw.coin();
+    if (s.has_battery && extent != Extent::kFull) r.kind = draw.any(StopKind::kDepot);
+    r.carry = r.kind == StopKind::kMeeting && draw.coin();
+    r.robot_energy = draw.in(0, 1e9);
+    r.robot_energy_left = draw.in(0, 1e9);
+    r.home_speed_mps = draw.in(0, 200);
     r.carry_to = draw.position();
     r.speed_mps = draw.in(0, 200);
     r.carry_speed_mps = draw.in(0, 200);
@@ -285,7 +299,9 @@ void fill(ChargerPlan& s, Extent extent, Rng& rng) {
     r.first_bend = static_cast<std::uint32_t>(s.bends.size());
     r.bend_count = draw_bends(s.bends, full ? 4 : static_cast<std::uint32_t>(rng.below(3)), draw);
     r.carry_first_bend = static_cast<std::uint32_t>(s.bends.size());
-    r.carry_bend_count = draw_bends(s.bends, full ? 4 : static_cast<std::uint32_t>(rng.below(3)), draw);
+    r.carry_bend_count = draw_bends(s.bends, full ? 2 : static_cast<std::uint32_t>(rng.below(3)), draw);
+    r.home_first_bend = static_cast<std::uint32_t>(s.bends.size());
+    r.home_bend_count = draw_bends(s.bends, full ? 2 : static_cast<std::uint32_t>(rng.below(3)), draw);
   }
 }
 
@@ -317,10 +333,11 @@ void fill(ChargerState& s, Extent extent, Rng& rng) {
   s.docked_vehicle_id = std::max(1u, draw.id());
   s.charge_rate = draw.in(0, 1e6);
   s.energy_delivered = draw.in(0, 1e9);
-  s.activity = draw.any(ChargerActivity::kDelayed);
+  s.activity = draw.any(ChargerActivity::kRefilling);
   s.rendezvous_id = draw.id();
   s.rendezvous_done = draw.id();
   s.plan_revision = draw.id();
+  s.energy = draw.in(0, 1e9);
 }
 
 void fill(ParticipantStatus& s, Extent extent, Rng& rng) {

@@ -52,7 +52,7 @@ TEST(ValidatePlans, WaysMustBendAtBendsOfTheirOwn) {
   EXPECT_EQ(after<C>([](C& p) { p.bends.front().z_m = kNan; }), "bend out of range");
   EXPECT_EQ(after<C>([](C& p) { p.rendezvous[3].carry_first_bend = p.rendezvous[3].first_bend; }),
             "ways share bends");
-  EXPECT_EQ(after<C>([](C& p) { p.rendezvous.back().carry_bend_count += 1; }), "way outside the bends");
+  EXPECT_EQ(after<C>([](C& p) { p.rendezvous.back().home_bend_count += 1; }), "way outside the bends");
   EXPECT_EQ(after<C>([](C& p) { p.rendezvous[3].speed_mps = kNan; }), "charger speed out of range");
 }
 
@@ -61,6 +61,20 @@ TEST(ValidatePlans, ChargerPlanMustBeOrdered) {
   EXPECT_EQ(after<T>([](T& p) { p.taper_from = -0.1; }), "charging taper out of range");
   EXPECT_EQ(after<T>([](T& p) { p.rendezvous[5].rendezvous_id = p.rendezvous[4].rendezvous_id; }),
             "rendezvous ids not growing");
+  const auto from_depot = [](T& p) {
+    p.rendezvous[4].kind = data::StopKind::kDepot, p.rendezvous[4].carry = false;
+    p.rendezvous[5].rendezvous_id = p.rendezvous[4].rendezvous_id;
+  };
+  EXPECT_EQ(after<T>(from_depot), data::Refusal{});
+  EXPECT_EQ(after<T>([&](T& p) { from_depot(p), p.rendezvous[4].carry = true; }), "depot carries");
+  EXPECT_EQ(after<T>([&](T& p) { from_depot(p), p.has_battery = false; }), "depot without a battery");
+  EXPECT_EQ(after<T>([&](T& p) { from_depot(p), p.rendezvous[5].kind = data::StopKind::kDepot; }),
+            "rendezvous ids not growing");
+  EXPECT_EQ(after<T>([](T& p) { p.battery.capacity = 0; }), "charger battery out of range");
+  EXPECT_EQ(after<T>([](T& p) { p.battery.reserve = p.battery.capacity; }), "charger battery out of range");
+  EXPECT_EQ(after<T>([](T& p) { p.battery.drive_per_s = kNan; }), "charger battery out of range");
+  EXPECT_EQ(after<T>([](T& p) { p.rendezvous[3].robot_energy = -1; }), "charger energy out of range");
+  EXPECT_EQ(after<T>([](T& p) { p.home_speed_mps = kNan; }), "charger speed out of range");
   EXPECT_EQ(after<T>([](T& p) { p.rendezvous[5].depart_s = p.rendezvous[5].arrive_by_s - 1; }),
             "rendezvous ends before it starts");
   EXPECT_EQ(after<T>([](T& p) { p.rendezvous[5].site.x_m = kNan; }), "site out of range");
@@ -85,6 +99,7 @@ TEST(ValidatePlans, ChargerStateAndStatusMustBeInRange) {
   EXPECT_EQ(after<C>([](C& c) { c.docked_vehicle_id = 0, c.charge_rate = 1.0; }), "charging no vehicle");
   EXPECT_EQ(after<C>([](C& c) { c.charge_rate = kNan; }), "charge rate out of range");
   EXPECT_EQ(after<C>([](C& c) { c.energy_delivered = -1.0; }), "energy out of range");
+  EXPECT_EQ(after<C>([](C& c) { c.energy = kNan; }), "energy out of range");
   using S = data::ParticipantStatus;
   EXPECT_EQ(after<S>([](S& s) { s.name.resize(33, 'x'); }), "text above its bound");
   EXPECT_EQ(after<S>([](S& s) { s.rejected[63].reason.resize(65, 'x'); }), "text above its bound");

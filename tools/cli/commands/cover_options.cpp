@@ -102,6 +102,8 @@ void add_ground_options(CLI::App& group, CoverOptions& options) {
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
   group.add_option("--robot-refill", own.refill_s, "Seconds to refill it")->check(CLI::NonNegativeNumber);
+  group.add_option("--robot-reserve", own.reserve, "Units of it that the robot keeps")
+      ->check(CLI::NonNegativeNumber);
 }
 
 }  // namespace

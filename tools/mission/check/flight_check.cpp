@@ -10,6 +10,7 @@
 #include "tools/mission/check/findings.hpp"
 #include "tools/mission/check/places.hpp"
 #include "tools/mission/check/refly.hpp"
+#include "tools/mission/check/robot_energy.hpp"
 #include "tools/mission/check/swath.hpp"
 
 namespace swallowtail::check {
@@ -213,10 +214,6 @@ void judge_battery(const FlightLog& log, const Rules& rules, FlightReport& repor
       findings.add(battery.time_s, "reserve", {}, "battery", rules.battery_reserve - battery.energy,
                    "%.2f units left, reserve is %.2f", battery.energy, rules.battery_reserve);
     }
-    if (battery.energy > rules.battery_capacity + 1e-6) {
-      findings.add(battery.time_s, "capacity", {}, "battery", battery.energy, "%.2f units, capacity is %.2f",
-                   battery.energy, rules.battery_capacity);
-    }
   }
 }
 
@@ -301,6 +298,7 @@ FlightReport check_flight(const FlightLog& log, const Rules& rules) {
   judge_charging(log, rules, report, findings);
   judge_charger_speed(log, rules, findings);
   judge_robot_ground(log, rules, findings);
+  judge_robot_energy(log, rules, findings);
   if (!log.states.empty()) report.mission_s = log.states.back().time_s - log.states.front().time_s;
   if (!std::isfinite(report.clearance_min_m)) report.clearance_min_m = 0.0;
   report.violations = findings.take();

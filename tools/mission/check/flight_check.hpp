@@ -10,8 +10,8 @@
 namespace swallowtail::check {
 
 /// One thing that went wrong. `kind` is one of: clearance, terrain, bounds, speed, climb, turn, reserve,
-/// capacity, charge, dock, uncertified_plan, off_plan, charger_speed, no_fly, closed_ground, off_road, gap,
-/// no_data.
+/// charge, dock, uncertified_plan, off_plan, charger_speed, robot_energy, no_fly, closed_ground, off_road,
+/// gap, no_data.
 struct Finding {
   double time_s = 0.0;
   std::string kind;

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -59,6 +60,21 @@ struct FieldArea {
   Rings rings;
 };
 
+struct RobotLoss {
+  double at_s = 0.0;
+  double energy = 0.0;
+};
+
+/// The ground robot's own.
+struct RobotBattery {
+  double capacity = 0.0;
+  double reserve = 0.0;
+  double drive_per_s = 0.0;
+  double per_charged = 1.0;
+  P2 depot;
+  std::vector<RobotLoss> losses;
+};
+
 /// What a mission must keep to, taken from its scenario.
 struct Rules {
   data::VehicleLimits vehicle;
@@ -70,9 +86,10 @@ struct Rules {
   std::vector<FieldArea> fields;
   double sensor_width_m = 0.0;
   double height_tolerance_m = 0.0;
-  double battery_capacity = 0.0;
+  double battery_capacity = 0.0;  ///< drawn in reports
   double battery_reserve = 0.0;
   double charger_speed_mps = 0.0;
+  std::optional<RobotBattery> robot_battery;
   std::vector<Rings> no_fly;           ///< the aircraft is never inside
   double skipped_border_m = 0.0;       ///< of fields: not to be seen
   std::vector<Rings> no_drive;         ///< the robot is never inside

@@ -58,6 +58,21 @@ Status add_robot_ground(const planner::Scenario& scenario, const std::optional<p
   return {};
 }
 
+RobotBattery robot_battery_of(const planner::Scenario& scenario) {
+  const planner::ChargerSpec& charger = scenario.coverage->charger;
+  const planner::RobotBatterySpec& own = *charger.battery;
+  RobotBattery out{own.capacity,
+                   own.reserve,
+                   own.drive_per_s,
+                   own.per_charged,
+                   {charger.start_m.x(), charger.start_m.y()},
+                   {}};
+  for (const auto& event : scenario.events)
+    if (const auto* loss = std::get_if<planner::ChargerLoss>(&event.what))
+      out.losses.push_back({event.at_s, loss->energy});
+  return out;
+}
+
 Status add_coverage(const planner::Scenario& scenario, Rules& rules) {
   const auto fields = coverage::fields_of(scenario);
   if (!fields) return fields.error();
@@ -72,6 +87,7 @@ Status add_coverage(const planner::Scenario& scenario, Rules& rules) {
   rules.battery_capacity = coverage.battery.capacity;
   rules.battery_reserve = coverage.battery.reserve;
   rules.charger_speed_mps = coverage.charger.speed_mps;
+  if (coverage.charger.battery) rules.robot_battery = robot_battery_of(scenario);
   for (const auto& area : fields->no_fly) rules.no_fly.push_back(rings_of(area));
   if (coverage.headland == planner::HeadlandUse::kSkip) rules.skipped_border_m = coverage.headland_m;
   return add_robot_ground(scenario, fields->origin, rules);

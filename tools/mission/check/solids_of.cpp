@@ -91,6 +91,8 @@ std::vector<Solid> solids_of(const planner::Scenario& scenario) {
                    },
                    [](const planner::BatteryLoss&) {},
                    [](const planner::ChargerDelay&) {},
+                   [](const planner::ChargerLoss&) {},
+                   [](const planner::AircraftReplaced&) {},
                },
                event.what);
   }

@@ -53,10 +53,6 @@ Exit fly(const MissionArguments& arguments) {
     return fail(status.error());
   const auto scenario = read_scenario_or_tell(arguments.scenario);
   if (!scenario) return Exit::kUsage;
-  if (scenario->coverage && scenario->coverage->charger.battery)
-    return fail(
-        bad_input("coverage.charger.battery: only `swallowtail cover` plans for a ground robot whose own "
-                  "battery is limited; a mission does not know it."));
   const RecordingFile recording(arguments.recording);
   mission::MissionOptions options;
   options.fleet = {arguments.scenario, recording.path(),      arguments.rate,

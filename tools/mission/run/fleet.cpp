@@ -27,6 +27,10 @@ std::vector<std::string> charger_arguments(const planner::Scenario& scenario) {
       arguments.push_back("--delay");
       arguments.push_back(text(event.at_s) + ":" + text(delay->delay_s));
     }
+    if (const auto* loss = std::get_if<planner::ChargerLoss>(&event.what)) {
+      arguments.push_back("--loss");
+      arguments.push_back(text(event.at_s) + ":" + text(loss->energy));
+    }
   }
   return arguments;
 }

@@ -146,6 +146,58 @@ TEST(FlightCheck, FindsTheRobotOffItsRoadsAndOnClosedGround) {
   EXPECT_TRUE(finds(m, "closed_ground"));
 }
 
+/// East at 1 m/s for 20 s by 0.1 units per second, then ten units given at two for each.
+Mission with_robot_battery() {
+  Mission m = clean_mission();
+  m.rules.robot_battery = RobotBattery{100.0, 20.0, 0.1, 2.0, {0, -20}, {}};
+  for (int t = 0; t <= 30; ++t) {
+    data::ChargerState robot;
+    robot.charger_id = 1;
+    robot.time_s = t;
+    robot.position = {std::min(t, 20) * 1.0, -20, 0};
+    robot.speed_mps = t < 20 ? 1.0 : 0.0;
+    robot.energy_delivered = std::max(0, t - 20) * 1.0;
+    robot.energy = 100.0 - 0.1 * std::min(t, 20) - 2.0 * robot.energy_delivered;
+    m.log.chargers.push_back(robot);
+  }
+  return m;
+}
+
+void from(Mission& m, std::size_t first, double more) {
+  for (std::size_t i = first; i < m.log.chargers.size(); ++i) m.log.chargers[i].energy += more;
+}
+
+TEST(FlightCheck, FollowsTheRobotsOwnEnergy) {
+  Mission m = with_robot_battery();
+  EXPECT_TRUE(check_flight(m.log, m.rules).ok()) << all_of(check_flight(m.log, m.rules));
+  from(m, 10, 0.5);
+  EXPECT_TRUE(finds(m, "robot_energy")) << "it rises on the way";
+  m = with_robot_battery();
+  from(m, 10, 0.1);
+  EXPECT_TRUE(finds(m, "robot_energy")) << "a second's drive for nothing";
+  m = with_robot_battery();
+  from(m, 25, 2.0);
+  EXPECT_TRUE(finds(m, "robot_energy")) << "a unit given for nothing";
+  m = with_robot_battery();
+  from(m, 25, -5.0);
+  EXPECT_TRUE(finds(m, "robot_energy")) << "energy vanishes";
+  m.rules.robot_battery->losses = {{24.5, 5.0}};
+  EXPECT_FALSE(finds(m, "robot_energy")) << "the scenario says so";
+  m = with_robot_battery();
+  from(m, 0, 1.0);
+  EXPECT_TRUE(finds(m, "robot_energy")) << "more than it holds";
+  m = with_robot_battery();
+  from(m, 0, -60.0);
+  EXPECT_TRUE(finds(m, "robot_energy")) << "below its reserve";
+}
+
+TEST(FlightCheck, LetsTheRobotsEnergyRiseAtItsDepot) {
+  Mission m = with_robot_battery();
+  m.rules.robot_battery->depot = {20, -20};
+  from(m, 25, 12.0);
+  EXPECT_FALSE(finds(m, "robot_energy"));
+}
+
 TEST(FlightCheck, FindsMovingObstacleWhereItMeetsTheFlight) {
   Mission m = clean_mission();
   Solid ball;

@@ -2,6 +2,7 @@
 // by one manual clock. No wall time enters, so a failure can be replayed.
 #include <gtest/gtest.h>
 
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <tuple>
@@ -13,6 +14,8 @@
 #include "planner/participant/planner_participant.hpp"
 #include "planner/scenario/read.hpp"
 #include "qos/memory/bus.hpp"
+#include "tools/mission/check/flight_check.hpp"
+#include "tools/mission/check/rules_of.hpp"
 #include "tools/sim/sim_participant.hpp"
 
 namespace swallowtail::sim {
@@ -24,6 +27,39 @@ constexpr double kLongest_s = 4000.0;  // mission time; the missions take about 
 struct Flight {
   nlohmann::json end;
   double reserve = 0.0;
+  std::vector<check::Finding> findings;  ///< of the robot's energy
+  int depot_stops = 0;                   ///< of the first plan, but for the one at the end
+  int refills = 0;
+};
+
+/// Listens to the robot.
+class RobotWatch {
+ public:
+  explicit RobotWatch(Bus& bus) {
+    (void)bus.subscribe<data::ChargerState>({.on_sample = [this](const data::ChargerState& state) {
+      if (!log_.chargers.empty() && state.energy > log_.chargers.back().energy) ++refills_;
+      log_.chargers.push_back(state);
+    }});
+    (void)bus.subscribe<data::ChargerPlan>({.on_sample = [this](const data::ChargerPlan& plan) {
+      if (depot_stops_ >= 0) return;
+      depot_stops_ = -1;
+      for (const data::Rendezvous& stop : plan.rendezvous)
+        depot_stops_ += stop.kind == data::StopKind::kDepot ? 1 : 0;
+    }});
+  }
+  void tell(const planner::Scenario& scenario, Flight& flight) const {
+    flight.depot_stops = depot_stops_;
+    flight.refills = refills_;
+    const auto rules = check::rules_of(scenario);
+    ASSERT_TRUE(rules.ok());
+    for (check::Finding& finding : check::check_flight(log_, *rules).violations)
+      if (finding.kind == "robot_energy") flight.findings.push_back(std::move(finding));
+  }
+
+ private:
+  check::FlightLog log_;
+  int depot_stops_ = -1;
+  int refills_ = 0;
 };
 
 std::vector<charger::Delay> delays_of(const planner::Scenario& scenario) {
@@ -36,6 +72,15 @@ std::vector<charger::Delay> delays_of(const planner::Scenario& scenario) {
   return delays;
 }
 
+std::vector<charger::Loss> losses_of(const planner::Scenario& scenario) {
+  std::vector<charger::Loss> losses;
+  for (const auto& event : scenario.events) {
+    if (const auto* loss = std::get_if<planner::ChargerLoss>(&event.what))
+      losses.push_back({event.at_s, loss->energy});
+  }
+  return losses;
+}
+
 Flight fly(const std::string& file, std::uint64_t seed, double rate) {
   const auto scenario =
       planner::read_scenario(std::string(SWALLOWTAIL_SOURCE_DIR) + "/tests/data/missions/" + file);
@@ -46,8 +91,9 @@ Flight fly(const std::string& file, std::uint64_t seed, double rate) {
   const auto charger_bus = network.make_bus();
   const auto coverage_bus = network.make_bus();
   const auto planner_bus = network.make_bus();
-  const auto charger = charger::ChargerParticipant::make(*charger_bus, clock,
-                                                         {.charger_id = 1, .delays = delays_of(*scenario)})
+  const auto charger = charger::ChargerParticipant::make(
+                           *charger_bus, clock,
+                           {.charger_id = 1, .delays = delays_of(*scenario), .losses = losses_of(*scenario)})
                            .value();
   const auto coverage = coverage::CoverageParticipant::make(*coverage_bus, clock, {}).value();
   const auto planner = planner::PlannerParticipant::make(*planner_bus, clock, {}).value();
@@ -55,6 +101,8 @@ Flight fly(const std::string& file, std::uint64_t seed, double rate) {
       SimParticipant::make(*sim_bus, clock, *scenario,
                            {.rate = rate, .await = {1, 2, 3}, .max_time_s = kLongest_s, .seed = seed})
           .value();
+  const auto watch_bus = network.make_bus();
+  const auto watch = std::make_unique<RobotWatch>(*watch_bus);
   for (bool more = true; more;) {
     clock.advance(kTick_s);
     const auto stepped = sim->step();
@@ -65,7 +113,9 @@ Flight fly(const std::string& file, std::uint64_t seed, double rate) {
     EXPECT_TRUE(planner->step());
     EXPECT_TRUE(planner->beat());
   }
-  return {nlohmann::json::parse(sim->summary()), scenario->coverage->battery.reserve};
+  Flight flight{nlohmann::json::parse(sim->summary()), scenario->coverage->battery.reserve, {}};
+  watch->tell(*scenario, flight);
+  return flight;
 }
 
 class ClosedLoop : public ::testing::TestWithParam<std::tuple<const char*, double>> {};
@@ -85,14 +135,20 @@ TEST_P(ClosedLoop, IsFlownWholeAndSafely) {
     EXPECT_GE(end["covered_percent"].get<double>(), 99.5);
     EXPECT_GE(end["recharges"].get<int>(), 1);
     EXPECT_GE(end["energy_min"].get<double>(), flight.reserve);
+    for (const check::Finding& finding : flight.findings)
+      ADD_FAILURE() << "at " << finding.time_s << " s: " << finding.detail;
+    if (std::string(file) == "robot_battery.yaml") {
+      EXPECT_GE(flight.depot_stops, 1);
+      EXPECT_GT(flight.refills, flight.depot_stops) << "it loses energy on the way";
+    }
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Missions, ClosedLoop,
-                         ::testing::Combine(::testing::Values("two_heights.yaml",
-                                                              "hills_moving_obstacle.yaml",
-                                                              "battery_fault_late_robot.yaml", "pond.yaml"),
-                                            ::testing::Values(5.0, 20.0)));
+INSTANTIATE_TEST_SUITE_P(
+    Missions, ClosedLoop,
+    ::testing::Combine(::testing::Values("two_heights.yaml", "hills_moving_obstacle.yaml",
+                                         "battery_fault_late_robot.yaml", "pond.yaml", "robot_battery.yaml"),
+                       ::testing::Values(5.0, 20.0)));
 
 }  // namespace
 }  // namespace swallowtail::sim
