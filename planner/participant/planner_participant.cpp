@@ -19,7 +19,7 @@ using data::VehicleMode;
 constexpr double kGoalHold_s = 10.0;
 /// Wall time for the search of the whole way to a goal while the mission has not begun.
 constexpr double kSearchBeforeStart_s = 0.9;
-/// Wall time between two tries to better a contingency or to find any path.
+/// Wall time between two tries to better a contingency, or to find any path after there was none.
 constexpr double kRetry_s = 0.5;
 /// A path is published again after this wall time, so that the writer's deadline is kept.
 constexpr double kRepublish_s = 4.0;
@@ -192,6 +192,7 @@ Status PlannerParticipant::act_on_ground(double now_s, bool changed) {
     }
   }
   if (!may_take_off() || clock_.now_s() < retry_wall_s_) {
+    owes_path_ = owes_path_ || (changed && !log_.empty());
     changed_wall_s_ = 0.0;
     return {};
   }
@@ -202,7 +203,7 @@ Status PlannerParticipant::act_in_flight(double now_s, bool changed) {
   const bool wants_better = log_.empty() || verdict_ == Verdict::kContingency ||
                             (!log_.lands() && coverage_ &&
                              log_.end_s() - now_s < 4.0 * lead_s(inbox_->time.rate(), options_.budget_ms));
-  const bool retries = wants_better && clock_.now_s() >= retry_wall_s_;
+  const bool retries = (wants_better || owes_path_) && clock_.now_s() >= retry_wall_s_;
   if (!changed && !retries) return {};
   if (!changed || log_.empty()) return replan(now_s);
   const ClearanceQuery query(keeper_.world());
@@ -214,6 +215,7 @@ Status PlannerParticipant::act_in_flight(double now_s, bool changed) {
       certify(log_.rest(now_s), query, limits_).certified) {
     if (changed_wall_s_ > 0.0) status_->add_latency_ms(1e3 * (clock_.now_s() - changed_wall_s_));
     changed_wall_s_ = 0.0;
+    owes_path_ = false;
     return {};
   }
   return replan(now_s);
@@ -317,6 +319,7 @@ Status PlannerParticipant::replan(double now_s) {
 
 void PlannerParticipant::fail(const ReplanReport& report) {
   changed_wall_s_ = 0.0;
+  owes_path_ = true;
   status_->set_health(data::Health::kDegraded, "no safe path: " + report.reason);
 }
 
@@ -353,6 +356,7 @@ Status PlannerParticipant::publish(const ReplanReport& report, double now_s, dou
   if (Status sent = publisher_->publish(plan); !sent) return sent;
   log_.join(to_path(plan.waypoints), now_s);
   verdict_ = report.verdict;
+  owes_path_ = false;
   published_wall_s_ = clock_.now_s();
   status_->count_replan();
   status_->add_latency_ms(changed_wall_s_ > 0.0 ? 1e3 * (published_wall_s_ - changed_wall_s_) : replan_ms);
@@ -369,6 +373,7 @@ Status PlannerParticipant::step() {
   take_inbox();
   const double now_s = inbox_->time.now_s(wall_s);
   if (now_s < last_now_s_ - kRestart_s) {
+    owes_path_ = false;
     log_.clear();
     published_.reset();
   }

@@ -125,6 +125,7 @@ class PlannerParticipant {
   std::optional<data::ChargerState> charger_;
   std::optional<data::VehicleState> vehicle_;
   bool mission_changed_ = false;
+  bool owes_path_ = false;  ///< there was no safe path for what has changed since the last one
 
   FlightLog log_;
   Sortie sortie_;

@@ -222,6 +222,25 @@ TEST_F(PlannerTest, FollowsANewCoveragePlanInFlight) {
   EXPECT_LT(largest_jump_m, 0.01);
 }
 
+TEST_F(PlannerTest, FollowsANewCoveragePlanOnceThereIsAPathForIt) {
+  start_mission({Transfer::kFF, Transfer::kFF, Transfer::kEnd});
+  run(12.0);
+  // For a second there is no safe path from anywhere that the aircraft can reach; nothing tells of its end.
+  data::Obstacle around = sphere(9, vehicle.position, 30.0);
+  around.valid_until_s = time_s + 1.5;
+  publish(around);
+  publish(plan({Transfer::kFDUF, Transfer::kFF, Transfer::kEnd}, 2));
+  run(0.3);
+  ASSERT_EQ(path_count(), 1u) << path().reason;
+  run(3.0);
+  EXPECT_EQ(path().basis.coverage_revision, 2u);
+  EXPECT_EQ(path().verdict, data::PathVerdict::kCertified);
+  EXPECT_LE(path_count(), 3u) << "it does not go on once there is one";
+  run(30.0);
+  EXPECT_NEAR(vehicle.position.x_m, 0.0, 1e-6) << "it lands after the first leg now";
+  EXPECT_EQ(vehicle.mode, data::VehicleMode::kLanded);
+}
+
 TEST_F(PlannerTest, ResumesInMidMissionAfterARestart) {
   start_mission({Transfer::kFF, Transfer::kFF, Transfer::kEnd});
   run(14.0);
