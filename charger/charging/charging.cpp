@@ -131,6 +131,7 @@ const State& Charging::step(double time_s, const Inputs& inputs) {
 void Charging::forget_replaced_vehicle(const Inputs& inputs) {
   if (!inputs.vehicle) return;
   if (inputs.vehicle->legs_done < legs_seen_) {
+    if (service_ != Service::kNone) finish();
     last_done_.reset();
     depot_done_.reset();
     vehicle_has_flown_ = false;
@@ -190,7 +191,9 @@ bool Charging::is_behind(const Meeting& meeting, const Inputs& inputs) const {
 }
 
 bool Charging::waits_for_us(const Meeting& meeting, const Inputs& inputs) const {
-  return is_on_ground(inputs) && vehicle_has_flown_ && is_near(meeting.site_m, inputs.vehicle->position_m);
+  if (!is_on_ground(inputs) || !is_near(meeting.site_m, inputs.vehicle->position_m)) return false;
+  // Before its next leg, at whose entry they are to meet, it waits whether it has flown or not.
+  return vehicle_has_flown_ || meeting.id == 2 * inputs.vehicle->legs_done;
 }
 
 /// On the ground somewhere else: it flew there unseen.

@@ -57,6 +57,11 @@ Status ChargerParticipant::subscribe() {
   done = bus_.subscribe<data::VehicleState>(
       {.on_sample = [inbox, bus, is_stranger](const data::VehicleState& state) {
         if (is_stranger(state.vehicle_id)) return bus->count_rejection("VehicleState", "unknown vehicle");
+        // One that has fewer legs done is another, with a battery of its own.
+        if (state.legs_done < inbox->legs_done.exchange(state.legs_done)) {
+          inbox->since_s.store(state.time_s);
+          inbox->capacity.store(0.0);
+        }
         inbox->vehicle.put(state);
       }});
   if (!done) return done;
@@ -64,6 +69,7 @@ Status ChargerParticipant::subscribe() {
       {.on_sample = [inbox, bus, is_stranger](const data::BatteryState& state) {
         if (is_stranger(state.vehicle_id)) return bus->count_rejection("BatteryState", "unknown vehicle");
         // A battery does not grow: what tells of another capacity is not our aircraft's.
+        if (state.time_s < inbox->since_s.load()) return;
         double known = 0.0;
         if (!inbox->capacity.compare_exchange_strong(known, state.capacity) && state.capacity != known)
           return bus->count_rejection("BatteryState", "another capacity");
@@ -74,7 +80,10 @@ Status ChargerParticipant::subscribe() {
 void ChargerParticipant::take_plan(double time_s) {
   if (const auto plan = inbox_->plan.take()) {
     orders_ = to_orders(*plan);
-    if (inbox_->vehicle_id.exchange(plan->vehicle_id) != plan->vehicle_id) inbox_->capacity.store(0.0);
+    if (inbox_->vehicle_id.exchange(plan->vehicle_id) != plan->vehicle_id) {
+      inbox_->capacity.store(0.0);
+      inbox_->since_s.store(0.0);
+    }
     Status accepted;
     if (charging_) {
       accepted = charging_->set_orders(orders_);

@@ -21,7 +21,7 @@ namespace swallowtail::charger {
 struct ParticipantOptions {
   std::uint32_t charger_id = 1;
   std::vector<Delay> delays{};
-  std::vector<Loss> losses{};  ///< of its own battery, in mission time
+  std::vector<Loss> losses{};      ///< of its own battery, in mission time
   double publish_period_s = 0.02;  ///< wall time between two ChargerStates; changes of activity or charge
                                    ///< rate are published at once
 };
@@ -51,6 +51,8 @@ class ChargerParticipant {
     Mailbox<data::BatteryState> battery;
     std::atomic<std::uint32_t> vehicle_id{0};  ///< of the plan; 0: not known yet
     std::atomic<double> capacity{0.0};         ///< of its battery; 0: not known yet
+    std::atomic<std::uint32_t> legs_done{0};
+    std::atomic<double> since_s{0.0};  ///< that this aircraft flies: older states of a battery are another's
   };
 
   Status connect();

@@ -7,12 +7,15 @@
 #include <limits>
 #include <memory>
 #include <numbers>
+#include <variant>
 
 #include "charger/participant/charger_participant.hpp"
 #include "coverage/participant/coverage_participant.hpp"
 #include "planner/base/rng.hpp"
 #include "planner/participant/planner_participant.hpp"
 #include "qos/memory/bus.hpp"
+#include "tools/mission/check/flight_check.hpp"
+#include "tools/mission/check/rules_of.hpp"
 #include "tools/sim/sim_participant.hpp"
 
 namespace swallowtail::mission {
@@ -50,7 +53,7 @@ nlohmann::json ring_json(coverage::Ring ring) {
   return out;
 }
 
-void write_fields(const std::vector<coverage::Polygon>& fields, const std::string& file) {
+void write_polygons(const std::vector<coverage::Polygon>& fields, const std::string& file) {
   nlohmann::json features = nlohmann::json::array();
   for (std::size_t i = 0; i < fields.size(); ++i) {
     nlohmann::json rings = nlohmann::json::array({ring_json(fields[i].outline)});
@@ -136,6 +139,65 @@ void draw_robot_faults(Rng& rng, RandomMission& mission) {
   }
 }
 
+/// Small and convex, each in a field of its own drawing or across its border.
+void draw_no_fly(Rng& rng, RandomMission& mission) {
+  const std::uint64_t count = rng.uniform() < 0.4 ? 1 + rng.below(3) : 0;
+  for (std::uint64_t i = 0; i < count; ++i) {
+    const coverage::Polygon& field = mission.fields[rng.below(mission.fields.size())];
+    Vec2 middle = Vec2::Zero();
+    for (const Vec2& p : field.outline) middle += p / static_cast<double>(field.outline.size());
+    const Vec2& corner = field.outline[rng.below(field.outline.size())];
+    const Vec2 centre = middle + rng.uniform(0.3, 1.0) * (corner - middle);
+    const double radius_m = rng.uniform(3.0, 12.0);
+    const double turn = rng.uniform(0.0, 2.0 * std::numbers::pi);
+    coverage::Polygon area;
+    const int corners = 3 + static_cast<int>(rng.below(4));
+    for (int k = 0; k < corners; ++k) {
+      const double angle = turn + 2.0 * std::numbers::pi * k / corners;
+      area.outline.push_back(centre + radius_m * Vec2(std::cos(angle), std::sin(angle)));
+    }
+    mission.no_fly.push_back(area);
+  }
+  if (count > 0) mission.faults += std::to_string(count) + " no-fly areas; ";
+}
+
+/// Of the robot's own, in which losses are no more than its reserve, but for one before it sets out.
+void draw_robot_battery(Rng& rng, RandomMission& mission) {
+  if (rng.uniform() >= 0.3) return;
+  planner::Scenario& scenario = mission.scenario;
+  planner::ChargerSpec& charger = scenario.coverage->charger;
+  planner::RobotBatterySpec own;
+  own.drive_per_s = rng.uniform(0.0, 0.1);
+  own.per_charged = rng.uniform(0.9, 1.3);
+  own.refill_s = rng.uniform(0.0, 90.0);
+  // To the farthest place, on, and home.
+  const double farthest_s = 3.0 * 450.0 / charger.speed_mps;
+  own.capacity = own.drive_per_s * farthest_s +
+                 rng.uniform(0.6, 3.0) * own.per_charged * scenario.coverage->battery.capacity;
+  own.reserve = rng.uniform(0.05, 0.15) * own.capacity;
+  own.capacity += own.reserve;
+  charger.battery = own;
+  mission.faults += "robot's battery of " + std::to_string(own.capacity) + "; ";
+  if (rng.uniform() < 0.4) mission.losses.push_back({0.0, rng.uniform(0.1, 0.8) * own.capacity});
+  if (rng.uniform() < 0.4) mission.losses.push_back({rng.uniform(20.0, 400.0), 0.9 * own.reserve});
+  for (const charger::Loss& loss : mission.losses)
+    scenario.events.push_back({loss.at_s, planner::ChargerLoss{loss.energy}});
+  std::ranges::stable_sort(scenario.events, {}, &planner::Event::at_s);
+}
+
+void draw_replacement(Rng& rng, RandomMission& mission) {
+  if (rng.uniform() >= 0.15) return;
+  const planner::BatterySpec& battery = mission.scenario.coverage->battery;
+  planner::AircraftReplaced other;
+  other.capacity = rng.uniform(0.75, 1.0) * battery.capacity;
+  other.energy = rng.uniform(0.5, 1.0) * *other.capacity;
+  if (rng.uniform() < 0.5) other.start_m = Vec2(rng.uniform(-120.0, 100.0), rng.uniform(-100.0, 100.0));
+  const double at_s = rng.uniform(20.0, 500.0);
+  mission.scenario.events.push_back({at_s, other});
+  std::ranges::stable_sort(mission.scenario.events, {}, &planner::Event::at_s);
+  mission.faults += "another aircraft from " + std::to_string(at_s) + " s; ";
+}
+
 class ClosedLoop {
  public:
   explicit ClosedLoop(const RandomMission& mission) : mission_(mission) { watch(); }
@@ -146,7 +208,8 @@ class ClosedLoop {
     const auto planner_bus = network_.make_bus();
     const auto sim_bus = network_.make_bus();
     const auto charger =
-        charger::ChargerParticipant::make(*charger_bus, clock_, {.charger_id = 1, .delays = mission_.delays})
+        charger::ChargerParticipant::make(
+            *charger_bus, clock_, {.charger_id = 1, .delays = mission_.delays, .losses = mission_.losses})
             .value();
     const auto coverage = coverage::CoverageParticipant::make(*coverage_bus, clock_, {}).value();
     const auto planner = planner::PlannerParticipant::make(*planner_bus, clock_, {}).value();
@@ -170,6 +233,7 @@ class ClosedLoop {
       (void)planner->beat();
     }
     end_.summary = nlohmann::json::parse(sim->summary());
+    judge_robot();
     return std::move(end_);
   }
 
@@ -182,6 +246,18 @@ class ClosedLoop {
     (void)bus_->subscribe<data::ParticipantStatus>({.on_sample = [this](const data::ParticipantStatus& s) {
       if (s.participant_id == data::kCoverageId) end_.health = s.message;
     }});
+    (void)bus_->subscribe<data::ChargerState>({.on_sample = [this](const data::ChargerState& state) {
+      if (!robot_.chargers.empty() && state.energy > robot_.chargers.back().energy) ++end_.refills;
+      robot_.chargers.push_back(state);
+    }});
+  }
+
+  void judge_robot() {
+    const auto rules = check::rules_of(mission_.scenario);
+    if (!rules) return end_.robot_faults.push_back(rules.error().message);
+    for (const check::Finding& finding : check::check_flight(robot_, *rules).violations)
+      if (finding.kind == "robot_energy")
+        end_.robot_faults.push_back(std::to_string(finding.time_s) + " s: " + finding.detail);
   }
 
   /// What going straight down from here takes once the loss is known: until the next battery sample, until
@@ -206,7 +282,9 @@ class ClosedLoop {
       doomed_ = energy < reserve && time_s_ < ground_loss_s_ + 1.0 + 2.0 * kReaction_s * mission_.rate;
     }
     while (losses_ < scenario.events.size() && scenario.events[losses_].at_s <= time_s_) {
+      const bool is_loss = std::holds_alternative<planner::BatteryLoss>(scenario.events[losses_].what);
       ++losses_;
+      if (!is_loss) continue;
       if (!aloft) ground_loss_s_ = time_s_;
       if (aloft && energy - to_come_down(scenario, simulation.motion().position_m.z()) < reserve)
         doomed_ = true;
@@ -226,6 +304,7 @@ class ClosedLoop {
   MemoryNetwork network_;
   const std::unique_ptr<Bus> bus_ = network_.make_bus();
   MissionEnd end_;
+  check::FlightLog robot_;
   double time_s_ = 0.0;
   std::size_t losses_ = 0;
   bool breached_ = false;  ///< in this flight
@@ -264,9 +343,17 @@ RandomMission random_mission(std::uint64_t seed, const std::string& folder) {
   draw_task(rng, mission);
   draw_battery_faults(rng, mission);
   draw_robot_faults(rng, mission);
+  // Drawn apart: the missions are else as they were.
+  Rng more(seed * 7919 + 1);
+  draw_no_fly(more, mission);
+  draw_robot_battery(more, mission);
+  draw_replacement(more, mission);
   std::filesystem::create_directories(folder);
   mission.scenario.coverage->fields_file = folder + "/" + std::to_string(seed) + ".geojson";
-  write_fields(mission.fields, mission.scenario.coverage->fields_file);
+  write_polygons(mission.fields, mission.scenario.coverage->fields_file);
+  if (mission.no_fly.empty()) return mission;
+  mission.scenario.coverage->no_fly_file = folder + "/" + std::to_string(seed) + "_no_fly.geojson";
+  write_polygons(mission.no_fly, mission.scenario.coverage->no_fly_file);
   return mission;
 }
 
@@ -283,6 +370,9 @@ double claimed_percent(const RandomMission& mission, const data::CoveragePlan& p
         if (!within(field.outline, p)) continue;
         if (std::any_of(field.holes.begin(), field.holes.end(),
                         [&](const coverage::Ring& hole) { return within(hole, p); }))
+          continue;
+        if (std::any_of(mission.no_fly.begin(), mission.no_fly.end(),
+                        [&](const coverage::Polygon& area) { return within(area.outline, p); }))
           continue;
         ++inside;
         for (std::size_t i = 0; i < std::min(legs_done, plan.legs.size()); ++i) {

@@ -24,10 +24,12 @@ struct RandomMission {
   std::uint64_t seed = 0;
   planner::Scenario scenario;
   std::vector<coverage::Polygon> fields;
+  std::vector<coverage::Polygon> no_fly;
   double rate = 10.0;           ///< mission seconds per wall second
   double consumption = 1.0;     ///< of the battery, against the model
   double capacity_share = 1.0;  ///< what it holds, of what the task says
   std::vector<charger::Delay> delays;
+  std::vector<charger::Loss> losses;  ///< of the robot's own battery
   std::vector<Silence> silences;
   std::optional<double> robot_dies_s;  ///< it neither drives nor, perhaps, speaks from then on
   std::string faults;                  ///< in words
@@ -47,7 +49,9 @@ struct MissionEnd {
   data::CoveragePlan plan;  ///< the newest on the wire
   std::string health;       ///< what coverage says of itself
   std::vector<Breach> breaches;
-  std::vector<std::string> reasons;  ///< of all revisions, in order
+  std::vector<std::string> reasons;       ///< of all revisions, in order
+  std::vector<std::string> robot_faults;  ///< what is wrong with the robot's own energy
+  int refills = 0;
 };
 
 /// The same seed gives the same mission. Its field file is written to `folder`.
@@ -56,8 +60,8 @@ RandomMission random_mission(std::uint64_t seed, const std::string& folder);
 /// Flies it with simulator, charger, coverage and planner in this process, on one manual clock.
 MissionEnd fly(const RandomMission& mission);
 
-/// What of the fields the legs that count as done cover, 0 … 100: cells of a metre whose centre lies within
-/// half a sensor's width of such a leg. Shares no code with the simulator's raster.
+/// What of the fields, less the no-fly areas, the legs that count as done cover, 0 … 100: cells of a metre
+/// whose centre lies within half a sensor's width of such a leg. Shares no code with the simulator's raster.
 double claimed_percent(const RandomMission& mission, const data::CoveragePlan& plan, std::size_t legs_done);
 
 }  // namespace swallowtail::mission

@@ -1,5 +1,5 @@
-// Random fields, batteries, winds and robots, flown in the closed loop. Every mission keeps its reserve, and
-// ends completed or says why it did not.
+// Random fields with no-fly areas, batteries, winds, robots and aircraft, flown in the closed loop. Every
+// mission keeps its reserve, and ends completed or says why it did not.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -56,6 +56,7 @@ TEST(RandomMission, KeepsItsReserveAndEndsCompletedOrWithATrueReason) {
   const std::uint64_t missions = number_of("SWALLOWTAIL_MISSIONS", 20);
   std::uint64_t completed = 0;
   std::uint64_t doomed = 0;
+  int refills = 0;
   for (std::uint64_t seed = first; seed < first + missions; ++seed) {
     const RandomMission mission = random_mission(seed, testing::TempDir() + "swallowtail_random_missions");
     const MissionEnd end = fly(mission);
@@ -67,6 +68,9 @@ TEST(RandomMission, KeepsItsReserveAndEndsCompletedOrWithATrueReason) {
     const std::size_t legs_done = end.summary["legs_done"];
     EXPECT_GE(covered, claimed_percent(mission, end.plan, legs_done) - kClaimTolerance);
     EXPECT_EQ(end.summary["collisions"], 0);
+    EXPECT_EQ(end.summary["violations"], 0);
+    for (const std::string& fault : end.robot_faults) ADD_FAILURE() << fault;
+    refills += end.refills;
     if (end.summary["completed"].get<bool>()) {
       ++completed;
       EXPECT_GE(covered, kCompletePercent);
@@ -77,6 +81,8 @@ TEST(RandomMission, KeepsItsReserveAndEndsCompletedOrWithATrueReason) {
   }
   RecordProperty("completed", static_cast<int>(completed));
   RecordProperty("below_reserve_unavoidably", static_cast<int>(doomed));
+  RecordProperty("refills", refills);
+  EXPECT_GT(refills, 0);
   EXPECT_GT(completed, missions / 2);
 }
 

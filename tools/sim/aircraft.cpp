@@ -75,6 +75,18 @@ void Aircraft::learn_legs(const data::CoveragePlan& plan) {
   if (leg_ends_.size() > kMaxCoveragePlans) leg_ends_.erase(leg_ends_.begin());
 }
 
+void Aircraft::replace(const Vec3& start_m) {
+  const double time_s = motion_.time_s;
+  motion_ = {};
+  motion_.time_s = time_s;
+  motion_.position_m = start_m;
+  flight_.reset();
+  next_.clear();
+  covered_.clear();
+  corners_.clear();
+  rest(0.0);
+}
+
 bool Aircraft::ends_leg(const Flight& flight, std::size_t index) const {
   const planner::TimedWaypoint& here = flight.path[index];
   const auto plan = leg_ends_.find(flight.coverage_revision);

@@ -63,6 +63,9 @@ class Aircraft {
   /// The newest state of the charger that may take the aircraft on board.
   void see_charger(const data::ChargerState& charger) { charger_ = charger; }
 
+  /// Another takes its place: it stands at `start_m`, has flown nothing, and knows no path.
+  void replace(const Vec3& start_m);
+
   /// Flies on to a later time.
   const Motion& advance(double to_s);
 

@@ -76,6 +76,13 @@ void Battery::advance(const Load& load, double duration_s) {
   least_energy_ = std::min(least_energy_, energy_);
 }
 
+void Battery::replace(double capacity, double energy) {
+  capacity_ = capacity;
+  charging_.full = capacity;
+  energy_ = energy;
+  least_energy_ = std::min(least_energy_, energy_);
+}
+
 void Battery::lose(double energy) {
   energy_ = std::max(0.0, energy_ - std::max(0.0, energy));
   least_energy_ = std::min(least_energy_, energy_);

@@ -34,6 +34,8 @@ class Battery {
   void advance(const Load& load, double duration_s);
   /// Energy that is gone at once.
   void lose(double energy);
+  /// Another of its kind, in the same weather.
+  void replace(double capacity, double energy);
 
   double energy() const { return energy_; }
   double capacity() const { return capacity_; }
@@ -53,7 +55,7 @@ class Battery {
   const double noise_;
   const double consumption_;
   const double cruise_speed_mps_;
-  const double capacity_;
+  double capacity_;
   coverage::ChargingCurve charging_;
   Rng rng_;
   double gust_ = 0.0;   ///< −1 … 1

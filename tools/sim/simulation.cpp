@@ -74,9 +74,26 @@ Changes Simulation::step() {
   aircraft_.advance(time_s());
   observe(before);
   if (battery_ && changes.energy_lost > 0.0) battery_->lose(changes.energy_lost);
+  if (changes.aircraft) other_aircraft_ = changes.aircraft;
+  if (other_aircraft_ && aircraft_.motion().on_ground()) replace_aircraft();
   const double energy = battery_ ? battery_->energy() : 1.0;
   outcome_ = referee_.judge(aircraft_.motion(), energy);
   return changes;
+}
+
+/// Where all is flown already, nothing is left to take over.
+void Simulation::replace_aircraft() {
+  const planner::AircraftReplaced other = *std::exchange(other_aircraft_, std::nullopt);
+  const PlanSummary& plan = tally_.plan;
+  if (plan.legs_total > 0 && aircraft_.motion().legs_done >= plan.legs_total) return;
+  Vec3 start_m = mission_.start_m;
+  if (other.start_m)
+    start_m = {other.start_m->x(), other.start_m->y(),
+               terrain_.height_at(other.start_m->x(), other.start_m->y())};
+  aircraft_.replace(start_m);
+  const double capacity = other.capacity.value_or(scenario_.coverage->battery.capacity);
+  battery_->replace(capacity, other.energy.value_or(capacity));
+  charged_here_ = false;
 }
 
 void Simulation::observe(const Motion& before) {

@@ -75,6 +75,7 @@ class Simulation {
              Mission mission, Timeline timeline);
 
   void observe(const Motion& before);
+  void replace_aircraft();
 
   const planner::Scenario scenario_;
   const planner::Terrain terrain_;
@@ -87,7 +88,8 @@ class Simulation {
   Referee referee_;
   Tally tally_;
   std::uint64_t steps_ = 0;
-  bool charged_here_ = false;  ///< in this stay on the ground
+  std::optional<planner::AircraftReplaced> other_aircraft_;  ///< waits for the one that flies to land
+  bool charged_here_ = false;                                ///< in this stay on the ground
   std::optional<Outcome> outcome_;
 };
 

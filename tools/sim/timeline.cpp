@@ -36,6 +36,10 @@ void Timeline::happen(const planner::Event& event, Changes& changes) {
     changes.energy_lost += loss->energy;
     return;
   }
+  if (const auto* other = std::get_if<planner::AircraftReplaced>(&event.what)) {
+    changes.aircraft = *other;
+    return;
+  }
   if (const auto* gone = std::get_if<planner::ObstacleVanishes>(&event.what)) {
     const auto last = std::ranges::find(obstacles_, gone->id, &Obstacle::id);
     if (last != obstacles_.end()) changes.removed.push_back(*last);

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "planner/base/result.hpp"
@@ -17,6 +18,7 @@ struct Changes {
   std::vector<planner::Obstacle> placed;   ///< new or restated
   std::vector<planner::Obstacle> removed;  ///< as they were last
   double energy_lost = 0.0;
+  std::optional<planner::AircraftReplaced> aircraft{};  ///< that takes over
 
   bool world_changed() const { return !placed.empty() || !removed.empty(); }
 };

@@ -133,8 +133,9 @@ class EventChecker {
     const double capacity = other.capacity.value_or(battery.capacity);
     if (capacity > battery.capacity || capacity <= battery.reserve)
       fail(placed, Kind::kRelation, "capacity must be above the reserve, at most coverage.battery.capacity");
-    if (other.energy.value_or(capacity) > capacity)
-      fail(placed, Kind::kRelation, "energy must be at most the capacity");
+    const double energy = other.energy.value_or(capacity);
+    if (energy > capacity || energy <= battery.reserve)
+      fail(placed, Kind::kRelation, "energy must be above the reserve, at most the capacity");
     const Bounds& bounds = scenario_.bounds;
     if (other.start_m && !bounds.contains({other.start_m->x(), other.start_m->y(), bounds.min_m.z()}))
       fail(placed, Kind::kRelation, "start_m must be within bounds_m");

@@ -235,6 +235,21 @@ std::optional<RobotAt> robot_at(const FlightLog& log, double time_s, double spee
   return RobotAt{point(nearest->position), speed_mps * late_s};
 }
 
+/// Whether another aircraft took over between two states of the battery: one that has flown less, on the
+/// ground, when the scenario says so. Its battery holds what the scenario says.
+bool is_replaced(const FlightLog& log, const Rules& rules, const data::BatteryState& from,
+                 const data::BatteryState& to) {
+  for (std::size_t i = 1; i < log.states.size(); ++i) {
+    const auto& last = log.states[i - 1];
+    const auto& next = log.states[i];
+    if (next.legs_done >= last.legs_done || !grounded(last) || !grounded(next)) continue;
+    if (next.time_s < from.time_s - 1.0 || last.time_s > to.time_s + 1.0) continue;
+    for (const Replacement& other : rules.replacements)
+      if (next.time_s >= other.from_s && to.energy <= other.energy + 1e-6) return true;
+  }
+  return false;
+}
+
 /// Energy may rise only on the robot, and the robot must be there.
 void judge_charging(const FlightLog& log, const Rules& rules, FlightReport& report, Findings& findings) {
   bool was_docked = false;
@@ -259,7 +274,7 @@ void judge_charging(const FlightLog& log, const Rules& rules, FlightReport& repo
       return s.mode == data::VehicleMode::kDocked && s.time_s >= from.time_s - 1.0 &&
              s.time_s <= to.time_s + 1.0;
     });
-    if (!on_robot)
+    if (!on_robot && !is_replaced(log, rules, from, to))
       findings.add(to.time_s, "charge", {}, "battery", to.energy - from.energy,
                    "energy rose by %.2f units off the robot, %.2f allowed", to.energy - from.energy, 0.0);
   }

@@ -75,6 +75,12 @@ struct RobotBattery {
   std::vector<RobotLoss> losses;
 };
 
+/// Another aircraft takes over, with so much in its battery.
+struct Replacement {
+  double from_s = 0.0;  ///< or as soon after as the one before stands on the ground
+  double energy = 0.0;
+};
+
 /// What a mission must keep to, taken from its scenario.
 struct Rules {
   data::VehicleLimits vehicle;
@@ -88,6 +94,7 @@ struct Rules {
   double height_tolerance_m = 0.0;
   double battery_capacity = 0.0;  ///< drawn in reports
   double battery_reserve = 0.0;
+  std::vector<Replacement> replacements;
   double charger_speed_mps = 0.0;
   std::optional<RobotBattery> robot_battery;
   std::vector<Rings> no_fly;           ///< the aircraft is never inside

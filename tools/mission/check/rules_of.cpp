@@ -86,6 +86,10 @@ Status add_coverage(const planner::Scenario& scenario, Rules& rules) {
   rules.height_tolerance_m = coverage.height_tolerance_m;
   rules.battery_capacity = coverage.battery.capacity;
   rules.battery_reserve = coverage.battery.reserve;
+  for (const auto& event : scenario.events)
+    if (const auto* other = std::get_if<planner::AircraftReplaced>(&event.what))
+      rules.replacements.push_back(
+          {event.at_s, other->energy.value_or(other->capacity.value_or(coverage.battery.capacity))});
   rules.charger_speed_mps = coverage.charger.speed_mps;
   if (coverage.charger.battery) rules.robot_battery = robot_battery_of(scenario);
   for (const auto& area : fields->no_fly) rules.no_fly.push_back(rings_of(area));

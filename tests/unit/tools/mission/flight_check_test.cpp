@@ -285,6 +285,24 @@ TEST(FlightCheck, FindsReserveBrokenAndEnergyFromNowhere) {
   EXPECT_TRUE(finds(m, "charge"));
 }
 
+TEST(FlightCheck, AnotherAircraftBringsItsOwnEnergyWhenTheScenarioSaysSo) {
+  Mission m = clean_mission();
+  m.log.states.back().legs_done = 1;
+  data::VehicleState other = m.log.states.back();
+  other.time_s += 0.1;
+  other.position = {0, 5, 0};
+  other.legs_done = 0;
+  m.log.states.push_back(other);
+  m.log.batteries.push_back({1, 36.0, 90.0, 95.0, 0.0, 1.0});
+  EXPECT_TRUE(finds(m, "charge"));
+  m.rules.replacements = {{30.0, 90.0}};
+  EXPECT_FALSE(finds(m, "charge"));
+  m.rules.replacements = {{30.0, 80.0}};
+  EXPECT_TRUE(finds(m, "charge")) << "more than it was to hold";
+  m.rules.replacements = {{40.0, 90.0}};
+  EXPECT_TRUE(finds(m, "charge")) << "too early";
+}
+
 TEST(FlightCheck, FindsDockingFarFromTheRobot) {
   Mission m = clean_mission();
   data::VehicleState docked = m.log.states.back();

@@ -30,6 +30,7 @@ struct Flight {
   std::vector<check::Finding> findings;  ///< of the robot's energy
   int depot_stops = 0;                   ///< of the first plan, but for the one at the end
   int refills = 0;
+  int takeovers = 0;  ///< by another aircraft, as coverage tells of them
 };
 
 /// Listens to the robot.
@@ -39,6 +40,9 @@ class RobotWatch {
     (void)bus.subscribe<data::ChargerState>({.on_sample = [this](const data::ChargerState& state) {
       if (!log_.chargers.empty() && state.energy > log_.chargers.back().energy) ++refills_;
       log_.chargers.push_back(state);
+    }});
+    (void)bus.subscribe<data::CoveragePlan>({.on_sample = [this](const data::CoveragePlan& plan) {
+      takeovers_ += plan.reason.find("another aircraft") != std::string::npos ? 1 : 0;
     }});
     (void)bus.subscribe<data::ChargerPlan>({.on_sample = [this](const data::ChargerPlan& plan) {
       if (depot_stops_ >= 0) return;
@@ -50,6 +54,7 @@ class RobotWatch {
   void tell(const planner::Scenario& scenario, Flight& flight) const {
     flight.depot_stops = depot_stops_;
     flight.refills = refills_;
+    flight.takeovers = takeovers_;
     const auto rules = check::rules_of(scenario);
     ASSERT_TRUE(rules.ok());
     for (check::Finding& finding : check::check_flight(log_, *rules).violations)
@@ -60,6 +65,7 @@ class RobotWatch {
   check::FlightLog log_;
   int depot_stops_ = -1;
   int refills_ = 0;
+  int takeovers_ = 0;
 };
 
 std::vector<charger::Delay> delays_of(const planner::Scenario& scenario) {
@@ -137,6 +143,7 @@ TEST_P(ClosedLoop, IsFlownWholeAndSafely) {
     EXPECT_GE(end["energy_min"].get<double>(), flight.reserve);
     for (const check::Finding& finding : flight.findings)
       ADD_FAILURE() << "at " << finding.time_s << " s: " << finding.detail;
+    EXPECT_EQ(flight.takeovers, std::string(file) == "other_aircraft.yaml" ? 2 : 0);
     if (std::string(file) == "robot_battery.yaml") {
       EXPECT_GE(flight.depot_stops, 1);
       EXPECT_GT(flight.refills, flight.depot_stops) << "it loses energy on the way";
@@ -144,11 +151,12 @@ TEST_P(ClosedLoop, IsFlownWholeAndSafely) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Missions, ClosedLoop,
-    ::testing::Combine(::testing::Values("two_heights.yaml", "hills_moving_obstacle.yaml",
-                                         "battery_fault_late_robot.yaml", "pond.yaml", "robot_battery.yaml"),
-                       ::testing::Values(5.0, 20.0)));
+INSTANTIATE_TEST_SUITE_P(Missions, ClosedLoop,
+                         ::testing::Combine(::testing::Values("two_heights.yaml",
+                                                              "hills_moving_obstacle.yaml",
+                                                              "battery_fault_late_robot.yaml", "pond.yaml",
+                                                              "robot_battery.yaml", "other_aircraft.yaml"),
+                                            ::testing::Values(5.0, 20.0)));
 
 }  // namespace
 }  // namespace swallowtail::sim
