@@ -20,13 +20,18 @@ double lost_between(const RobotBattery& battery, double from_s, double to_s) {
   return out;
 }
 
+double from_depot_m(const RobotBattery& battery, const data::ChargerState& state) {
+  return std::hypot(state.position.x_m - battery.depot.x, state.position.y_m - battery.depot.y);
+}
+
 void judge_step(const RobotBattery& battery, double speed_mps, const data::ChargerState& from,
                 const data::ChargerState& to, Findings& findings) {
   const P3 at{to.position.x_m, to.position.y_m, to.position.z_m};
   const double fall = from.energy - to.energy;
   if (fall < -kEnergy) {
-    const double away = std::hypot(at.x - battery.depot.x, at.y - battery.depot.y);
-    if (away > kAtDepot_m)
+    // Between two states it may have come and gone.
+    const double away = from_depot_m(battery, from) + from_depot_m(battery, to);
+    if (away > speed_mps * (to.time_s - from.time_s) + kAtDepot_m)
       findings.add(to.time_s, "robot_energy", at, "charger", -fall,
                    "the robot's energy rose by %.2f units %.2f m from its depot", -fall, away);
     return;

@@ -196,6 +196,10 @@ TEST(FlightCheck, LetsTheRobotsEnergyRiseAtItsDepot) {
   m.rules.robot_battery->depot = {20, -20};
   from(m, 25, 12.0);
   EXPECT_FALSE(finds(m, "robot_energy"));
+  m.rules.robot_battery->depot = {20, -21.4};
+  EXPECT_FALSE(finds(m, "robot_energy")) << "there and back between two states";
+  m.rules.robot_battery->depot = {20, -22};
+  EXPECT_TRUE(finds(m, "robot_energy"));
 }
 
 TEST(FlightCheck, FindsMovingObstacleWhereItMeetsTheFlight) {
