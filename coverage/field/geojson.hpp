@@ -32,7 +32,7 @@ struct FieldFile {
   std::vector<planner::GeoOrigin> origins;  ///< one per field with FieldFrame::kPerField, else empty
   /// Polygons neither to cover nor to cross: of features whose property `no_fly` is true or whose `class` is
   /// "no-fly", and of no_fly_file. One list, or one per field in its own frame with FieldFrame::kPerField
-  /// (areas more than 20 km away left out).
+  /// (areas that come no nearer than 20 km left out).
   std::vector<std::vector<Polygon>> no_fly{};
 };
 
@@ -41,13 +41,13 @@ inline constexpr std::size_t kMaxFileFields = 10'000;
 /// Reads every polygon of a GeoJSON, KML, Shapefile (also zipped) or any other vector file that GDAL knows,
 /// or of a .wkt file (one geometry a line, "SRID=number;" before it where it is not WGS 84). A multi-polygon
 /// is several fields, named name/0, name/1 … Coordinates are taken as local metres when the file says so (a
-/// property or member `crs` of "local metres", or a projection of type local/engineering), when it names no
+/// property `crs` of "local metres", or a projection of type local/engineering), when it names no
 /// coordinate system, or when they lie beyond degrees although the system is in degrees; else they are
 /// projected into the local frame. Polygons are not cleaned here, and empty ones kept, so that one bad field
 /// does not spoil a file: cut_field refuses it. Errors (kNotFound): no such file. (kBadInput): not a vector
 /// file, no polygon in it, no coordinate system although the coordinates seem to be degrees or lie beyond 1e6
 /// m, fields of one file in local metres and on Earth, a height that is not positive, too many fields,
-/// coordinates far from the origin.
+/// coordinates far from the origin, of no-fly areas that come near too.
 Result<FieldFile> read_fields(const std::string& path, const FieldFileOptions& options);
 
 }  // namespace swallowtail::coverage

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <queue>
 
 #include "coverage/field/detail/geos.hpp"
 #include "coverage/field/detail/lines.hpp"
@@ -15,7 +17,8 @@ constexpr double kFar = std::numeric_limits<double>::infinity();
 constexpr double kPush_m = 0.02;
 /// Of a straight way, may touch what is not crossed: rounding.
 constexpr double kTouch_m = 2.5e-3;
-constexpr std::size_t kMaxCorners = 400;
+/// Of the corners that ways bend at; beyond, near ones are taken together.
+constexpr std::size_t kMaxCorners = 1600;
 
 }  // namespace
 
@@ -25,6 +28,7 @@ class Ways::Domain {
   enum class Free { kInside, kOutside };
 
   Domain(std::vector<Ring> rings, Free free) : rings_(std::move(rings)), free_(free) {
+    for (const Ring& ring : rings_) boxes_.push_back(box_of(ring));
     double tolerance = 0.0;
     do {
       nodes_.clear();
@@ -44,17 +48,25 @@ class Ways::Domain {
     std::vector<int> before;  ///< −1: the place itself
   };
 
+  static Box box_of(const Ring& ring);
   void add_nodes(const Ring& ring, double tolerance_m);
   const View& view_of(const Vec2& place) const;
   void see_each_other() const;
 
   std::vector<Ring> rings_;
+  std::vector<Box> boxes_;  ///< of the rings
   Free free_;
   std::vector<Vec2> nodes_;
   mutable std::vector<std::vector<std::pair<int, double>>> links_;
   mutable std::map<std::pair<double, double>, View> views_;
   mutable std::vector<double> crossings_;
 };
+
+Box Ways::Domain::box_of(const Ring& ring) {
+  Box out{ring.front(), ring.front()};
+  for (const Vec2& at : ring) out = {out.lo.cwiseMin(at), out.hi.cwiseMax(at)};
+  return out;
+}
 
 /// Corners where the free ground spans more than half a turn.
 void Ways::Domain::add_nodes(const Ring& ring, double tolerance_m) {
@@ -77,7 +89,12 @@ bool Ways::Domain::is_free(const Vec2& from, const Vec2& to) const {
   if (length < kTouch_m) return true;
   const detail::Line line = detail::line_through(from, to);
   crossings_.clear();
-  for (const Ring& ring : rings_) {
+  const Vec2 lo = from.cwiseMin(to);
+  const Vec2 hi = from.cwiseMax(to);
+  for (std::size_t r = 0; r < rings_.size(); ++r) {
+    // A ring beside the way is crossed beyond its ends only, as often in as out.
+    if ((boxes_[r].lo.array() > hi.array()).any() || (boxes_[r].hi.array() < lo.array()).any()) continue;
+    const Ring& ring = rings_[r];
     double left_a = line.left_of(ring.back());
     for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
       const double left_b = line.left_of(ring[i]);
@@ -127,23 +144,22 @@ const Ways::Domain::View& Ways::Domain::view_of(const Vec2& place) const {
     view.distance[i] = (nodes_[i] - place).norm();
     view.seen.emplace_back(static_cast<int>(i), view.distance[i]);
   }
-  std::vector<char> settled(nodes_.size(), 0);
-  for (;;) {
-    std::size_t next = nodes_.size();
-    for (std::size_t i = 0; i < nodes_.size(); ++i) {
-      if (settled[i] == 0 && view.distance[i] < kFar &&
-          (next == nodes_.size() || view.distance[i] < view.distance[next]))
-        next = i;
-    }
-    if (next == nodes_.size()) return view;
-    settled[next] = 1;
+  using Entry = std::pair<double, std::size_t>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
+  for (const auto& [node, distance] : view.seen) open.emplace(distance, static_cast<std::size_t>(node));
+  while (!open.empty()) {
+    const auto [distance, next] = open.top();
+    open.pop();
+    if (distance > view.distance[next]) continue;
     for (const auto& [to, length] : links_[next]) {
       const auto other = static_cast<std::size_t>(to);
-      if (view.distance[next] + length >= view.distance[other]) continue;
-      view.distance[other] = view.distance[next] + length;
+      if (distance + length >= view.distance[other]) continue;
+      view.distance[other] = distance + length;
       view.before[other] = static_cast<int>(next);
+      open.emplace(view.distance[other], other);
     }
   }
+  return view;
 }
 
 std::vector<Vec2> Ways::Domain::corners(const Vec2& from, const Vec2& to) const {

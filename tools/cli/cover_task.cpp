@@ -21,12 +21,24 @@ Vec3 on_ground(const planner::Terrain& terrain, const Vec2& site) {
   return {site.x(), site.y(), terrain.height_at(site.x(), site.y())};
 }
 
-/// The first corner that is a place outside no-fly areas.
-Vec2 first_corner(const coverage::Field& field, const std::vector<coverage::Polygon>& no_fly) {
-  for (const Vec2& corner : field.polygon.outline) {
-    if (is_finite(corner) && !coverage::barred_at({}, no_fly, corner)) return corner;
+/// The first corner of a field that is a place outside no-fly areas and holes; south-west of all of them
+/// where there is none.
+Vec2 start_of(const std::vector<coverage::Field>& fields, const std::vector<coverage::Polygon>& no_fly) {
+  Vec2 least = Vec2::Zero();
+  const auto look = [&](const coverage::Ring& ring) {
+    for (const Vec2& corner : ring) {
+      if (is_finite(corner)) least = least.cwiseMin(corner - Vec2::Ones());
+    }
+  };
+  for (const coverage::Field& field : fields) {
+    for (const Vec2& corner : field.polygon.outline) {
+      if (is_finite(corner) && !coverage::barred_at(fields, no_fly, corner)) return corner;
+    }
+    look(field.polygon.outline);
+    for (const coverage::Ring& hole : field.polygon.holes) look(hole);
   }
-  return Vec2::Zero();
+  for (const coverage::Polygon& area : no_fly) look(area.outline);
+  return least;
 }
 
 void start_at(coverage::Task& task, const Vec3& site) {
@@ -156,7 +168,7 @@ Result<CoverJob> job_of(const FieldsJob& fields) {
       task.fields = std::move(file->fields);
       task.origin = file->origin;
       task.no_fly = std::move(file->no_fly.front());
-      start_at(task, on_ground(job.terrain, first_corner(task.fields.front(), task.no_fly)));
+      start_at(task, on_ground(job.terrain, start_of(task.fields, task.no_fly)));
       if (const Status status = set_ways(fields, job.terrain, task); !status) return status.error();
       job.tasks.push_back(std::move(task));
       return job;
@@ -169,8 +181,8 @@ Result<CoverJob> job_of(const FieldsJob& fields) {
     coverage::Task one = task;
     if (i < file->origins.size()) one.origin = file->origins[i];
     one.no_fly = file->origins.empty() ? file->no_fly.front() : std::move(file->no_fly[i]);
-    start_at(one, on_ground(job.terrain, first_corner(file->fields[i], one.no_fly)));
     one.fields.push_back(std::move(file->fields[i]));
+    start_at(one, on_ground(job.terrain, start_of(one.fields, one.no_fly)));
     if (const Status status = set_ways(fields, job.terrain, one); !status) return status.error();
     job.tasks.push_back(std::move(one));
   }

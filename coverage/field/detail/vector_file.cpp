@@ -5,12 +5,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <memory>
+#include <span>
 
 #include "coverage/field/geojson.hpp"
 #include "planner/base/checks.hpp"
@@ -22,6 +24,9 @@ namespace {
 constexpr double kMaxLocal_m = 1e6;
 /// A file without a projection whose fields are all smaller than this is in degrees.
 constexpr double kLeastLocalExtent_m = 1.0;
+
+/// What is looked for in an archive.
+constexpr std::array kVectorExtensions = {".shp", ".geojson", ".json", ".kml", ".gpkg", ".gml"};
 
 struct Dataset {
   struct Close {
@@ -98,7 +103,7 @@ Result<std::unique_ptr<OGRCoordinateTransformation>> to_wgs84(const OGRSpatialRe
 }
 
 /// Of all vertices from a field on.
-Box box_of(const std::vector<RawField>& fields, std::size_t first) {
+Box box_of(std::span<const RawField> fields, std::size_t first) {
   Ring all;
   for (std::size_t i = first; i < fields.size(); ++i)
     all.insert(all.end(), fields[i].polygon.outline.begin(), fields[i].polygon.outline.end());
@@ -112,7 +117,7 @@ std::string numbers(const Vec2& p) {
 }
 
 /// Whether coordinates without a projection can be local metres.
-Status check_local(const std::vector<RawField>& fields, std::size_t first) {
+Status check_local(const std::vector<RawField>& fields, std::size_t first, bool has_system) {
   const Box box = box_of(fields, first);
   if (std::max(box.lo.cwiseAbs().maxCoeff(), box.hi.cwiseAbs().maxCoeff()) > kMaxLocal_m) {
     return bad_input(
@@ -120,6 +125,11 @@ Status check_local(const std::vector<RawField>& fields, std::size_t first) {
         numbers(box.hi) + " are neither degrees nor local metres, which end at 1e6.");
   }
   const double extent = (box.hi - box.lo).maxCoeff();
+  const Vec2 farthest = box.lo.cwiseAbs().cwiseMax(box.hi.cwiseAbs());
+  if (has_system && extent < kLeastLocalExtent_m && farthest.x() <= 90.0 && farthest.y() <= 180.0) {
+    return bad_input("Its fields near " + numbers(box.lo) +
+                     " seem to have latitude and longitude the wrong way round: longitude comes first.");
+  }
   if (extent > 0.0 && extent < kLeastLocalExtent_m && box.hi.cwiseAbs().maxCoeff() > extent) {
     return bad_input(
         "The file names no coordinate system (a Shapefile needs its .prj), and its fields near " +
@@ -128,18 +138,30 @@ Status check_local(const std::vector<RawField>& fields, std::size_t first) {
   return {};
 }
 
+/// Whether every field from `first` on is so small that it must be in degrees, of longitudes that may run on
+/// past 180.
+bool seems_degrees(const std::vector<RawField>& fields, std::size_t first, const Vec2& farthest) {
+  if (farthest.x() > 540.0 || farthest.y() > 90.0) return false;
+  for (std::size_t i = first; i < fields.size(); ++i) {
+    const Box box = box_of(std::span(&fields[i], 1), 0);
+    if (!((box.hi - box.lo).maxCoeff() < kLeastLocalExtent_m)) return false;
+  }
+  return true;
+}
+
 /// Brings the fields from `first` on to degrees, or takes them as local metres.
 Status settle_frame(const OGRSpatialReference* reference, bool says_local, std::size_t first, RawFile& out) {
   if (first == out.fields.size()) return {};
   const bool projected = reference != nullptr && reference->IsProjected() != 0;
   const Box box = box_of(out.fields, first);
   const Vec2 farthest = box.lo.cwiseAbs().cwiseMax(box.hi.cwiseAbs());
-  const bool beyond_degrees = farthest.x() > 180.0 || farthest.y() > 90.0;
+  const bool beyond_degrees = (farthest.x() > 180.0 || farthest.y() > 90.0) &&
+                              !(reference != nullptr && seems_degrees(out.fields, first, farthest));
   const bool is_local = says_local || (!projected && (beyond_degrees || reference == nullptr));
   if (first > 0 && is_local != out.is_local)
     return bad_input("Some of its fields are in local metres, others on Earth.");
   out.is_local = is_local;
-  if (is_local) return says_local ? Status() : check_local(out.fields, first);
+  if (is_local) return says_local ? Status() : check_local(out.fields, first, reference != nullptr);
   auto transformation = to_wgs84(reference);
   if (!transformation) return transformation.error();
   if (*transformation == nullptr) return {};
@@ -219,15 +241,47 @@ Result<RawFile> read_wkt(const std::string& path) {
   return out;
 }
 
-Result<RawFile> read_vector(const std::string& path) {
-  const std::string name = path.ends_with(".zip") ? "/vsizip/" + path : path;
-  const Dataset dataset{decltype(Dataset::owner)(static_cast<GDALDataset*>(
+std::string extension_of(const std::string& path) {
+  std::string out = std::filesystem::path(path).extension().string();
+  std::ranges::transform(out, out.begin(), [](unsigned char c) { return std::tolower(c); });
+  return out;
+}
+
+Dataset open_vector(const std::string& name) {
+  return {decltype(Dataset::owner)(static_cast<GDALDataset*>(
       GDALOpenEx(name.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY, nullptr, nullptr, nullptr)))};
-  if (!dataset.owner) return bad_input("'" + path + "' is not a vector file that GDAL can read.");
+}
+
+/// Of an archive that GDAL does not open as it is, since they lie in folders.
+std::vector<Dataset> open_within(const std::string& archive) {
+  const CPLStringList names(VSIReadDirRecursive(archive.c_str()));
+  std::vector<Dataset> out;
+  for (int i = 0; i < names.size(); ++i) {
+    const std::string name = names[i];
+    const bool is_vector = std::ranges::count(kVectorExtensions, extension_of(name)) > 0;
+    if (!is_vector || name.starts_with("__MACOSX")) continue;
+    Dataset dataset = open_vector(archive + "/" + name);
+    if (dataset.owner) out.push_back(std::move(dataset));
+  }
+  return out;
+}
+
+Result<RawFile> read_vector(const std::string& path) {
+  const bool is_archive = extension_of(path) == ".zip";
+  const std::string name = is_archive ? "/vsizip/{" + std::filesystem::absolute(path).string() + "}" : path;
+  std::vector<Dataset> datasets;
+  if (Dataset whole = open_vector(name); whole.owner) {
+    datasets.push_back(std::move(whole));
+  } else if (is_archive) {
+    datasets = open_within(name);
+  }
+  if (datasets.empty()) return bad_input("'" + path + "' is not a vector file that GDAL can read.");
   RawFile out;
-  for (OGRLayer* layer : dataset.owner->GetLayers()) {
-    if (const Status status = read_layer(*layer, out); !status)
-      return Error{status.error().code, "'" + path + "': " + status.error().message};
+  for (const Dataset& dataset : datasets) {
+    for (OGRLayer* layer : dataset.owner->GetLayers()) {
+      if (const Status status = read_layer(*layer, out); !status)
+        return Error{status.error().code, "'" + path + "': " + status.error().message};
+    }
   }
   return out;
 }
@@ -239,7 +293,7 @@ Result<RawFile> read_vector_file(const std::string& path) {
   if (!std::filesystem::exists(path, ignored)) return not_found("There is no file '" + path + "'.");
   GDALAllRegister();
   CPLPushErrorHandler(CPLQuietErrorHandler);
-  Result<RawFile> out = path.ends_with(".wkt") ? read_wkt(path) : read_vector(path);
+  Result<RawFile> out = extension_of(path) == ".wkt" ? read_wkt(path) : read_vector(path);
   CPLPopErrorHandler();
   if (out && out->fields.empty()) return bad_input("'" + path + "' holds no polygon.");
   return out;

@@ -9,7 +9,10 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <iomanip>
+#include <sstream>
 #include <utility>
+#include <vector>
 
 namespace swallowtail::coverage {
 namespace {
@@ -156,6 +159,72 @@ TEST(VectorFiles, InAnyProjectionAreTheSameField) {
     EXPECT_TRUE(file->origin) << one.file;
   }
   std::filesystem::remove_all(folder);
+}
+
+/// A square of 0.002° at a place, as a feature.
+std::string square_at(const std::string& properties, double west, double east, double south, double north) {
+  std::ostringstream out;
+  out << std::setprecision(12) << R"({"type":"Feature","properties":{)" << properties
+      << R"(},"geometry":{"type":"Polygon","coordinates":[[[)" << west << ',' << south << "],[" << east << ','
+      << south << "],[" << east << ',' << north << "],[" << west << ',' << north << "],[" << west << ','
+      << south << "]]]}}";
+  return out.str();
+}
+
+TEST_F(GeoJson, FieldsOnThe180thMeridianAreWholeAndTogether) {
+  const double area = 0.002 * 111'320.0 * std::cos(0.29322) * 0.002 * 110'600.0;
+  const std::vector<std::pair<double, double>> ways_to_say = {{179.999, -179.999}, {179.999, 180.001}};
+  for (const auto& [west, east] : ways_to_say) {
+    const auto read = read_fields(file(square_at(R"("id":"a")", west, east, -16.801, -16.799)), {});
+    ASSERT_TRUE(read.ok()) << read.error().message;
+    EXPECT_NEAR(area_m2(read->fields[0].polygon), area, 0.01 * area);
+    EXPECT_NEAR(std::abs(read->origin->lon_deg), 180.0, 1e-9);
+  }
+  const auto halves = read_fields(file(square_at(R"("id":"a")", 179.999, 180.0, -16.801, -16.799) + "," +
+                                       square_at(R"("id":"b")", -180.0, -179.999, -16.801, -16.799)),
+                                  {});
+  ASSERT_TRUE(halves.ok()) << halves.error().message;
+  EXPECT_NEAR(halves->fields[1].polygon.outline[0].x(), halves->fields[0].polygon.outline[1].x(), 1e-6);
+}
+
+TEST_F(GeoJson, LatitudeFirstIsSaidSo) {
+  const auto read = read_fields(file(square_at(R"("id":"a")", -43.5, -43.499, 172.6, 172.601)), {});
+  ASSERT_FALSE(read.ok());
+  EXPECT_THAT(read.error().message, HasSubstr("latitude and longitude the wrong way round"));
+}
+
+TEST_F(GeoJson, ANoFlyAreaLargerThanTheCountryAroundIsNotLeftOut) {
+  const std::string field = square_at(R"("id":"a")", 5.0, 5.002, 52.0, 52.002);
+  const auto zone =
+      read_fields(file(field + "," + square_at(R"("id":"ctr","no_fly":true)", 4.5, 5.5, 51.6, 52.4)), {});
+  ASSERT_TRUE(zone.ok()) << zone.error().message;
+  ASSERT_EQ(zone->no_fly[0].size(), 1U);
+  EXPECT_TRUE(contains(zone->no_fly[0][0], zone->fields[0].polygon.outline[0]));
+  const auto country =
+      read_fields(file(field + "," + square_at(R"("id":"fir","no_fly":true)", 0, 11, 48, 55)), {});
+  ASSERT_FALSE(country.ok());
+  EXPECT_THAT(country.error().message, HasSubstr("No-fly area 'fir'"));
+  const auto elsewhere =
+      read_fields(file(field + "," + square_at(R"("id":"fir","no_fly":true)", 20, 31, 48, 55)), {});
+  ASSERT_TRUE(elsewhere.ok()) << elsewhere.error().message;
+  EXPECT_TRUE(elsewhere->no_fly[0].empty());
+}
+
+TEST_F(GeoJson, AnArchiveMayHoldItsFilesInFolders) {
+  const std::string text = R"({"type":"FeatureCollection","features":[)" + std::string(kDegrees) + "]}";
+  const std::string path = path_ + ".ZIP";
+  const auto add = [&](const std::string& name, const std::string& content) {
+    VSILFILE* out = VSIFOpenL(("/vsizip/{" + path + "}/" + name).c_str(), "wb");
+    ASSERT_NE(out, nullptr);
+    VSIFWriteL(content.data(), 1, content.size(), out);
+    VSIFCloseL(out);
+  };
+  add("export/2026/fields.geojson", text);
+  add("__MACOSX/export/2026/._fields.geojson", text);
+  const auto read = read_fields(path, {});
+  std::filesystem::remove(path);
+  ASSERT_TRUE(read.ok()) << read.error().message;
+  EXPECT_EQ(read->fields.size(), 1U);
 }
 
 TEST(VectorFiles, WithoutAProjectionAreLocalMetresOrRefused) {

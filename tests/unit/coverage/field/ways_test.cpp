@@ -112,5 +112,25 @@ TEST(Ways, StayOnTheGroundAmongRandomHoles) {
   }
 }
 
+TEST(Ways, GoRoundEachOfHundredsOfTrees) {
+  Polygon field{{{0, 0}, {400, 0}, {400, 400}, {0, 400}}, {}};
+  for (int i = 0; i < 200; ++i) {
+    const Vec2 at(10.0 + 28.0 * (i % 14), 10.0 + 26.0 * (i / 14));
+    field.holes.push_back({at, at + Vec2(0, 5), at + Vec2(5, 5), at + Vec2(5, 0)});
+  }
+  const Ways ways({&field, 1}, {});
+  for (int row = 0; row < 14; ++row) {
+    Vec2 at(1.0, 12.0 + 26.0 * row);
+    const Vec2 to(399.0, at.y() + 1.0);
+    auto way = ways.corners(at, to);
+    EXPECT_FALSE(way.empty()) << row;
+    way.push_back(to);
+    for (const Vec2& next : way) {
+      EXPECT_TRUE(ways.is_free(at, next)) << row;
+      at = next;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace swallowtail::coverage
