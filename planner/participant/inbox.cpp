@@ -21,6 +21,20 @@ std::vector<PlannerParticipant::Change> PlannerParticipant::Inbox::take(double& 
   return std::exchange(changes, {});
 }
 
+void PlannerParticipant::take_changes() {
+  double arrived_wall_s = 0.0;
+  for (const Change& change : inbox_->take(arrived_wall_s)) {
+    if (const auto* gone = std::get_if<Gone>(&change)) keeper_.remove_obstacle(gone->obstacle_id);
+    if (const auto* tile = std::get_if<data::TerrainTile>(&change)) {
+      if (!keeper_.put(*tile)) bus_.count_rejection("TerrainTile", "does not fit its map");
+    }
+    if (const auto* obstacle = std::get_if<data::Obstacle>(&change)) {
+      if (!keeper_.put(*obstacle)) bus_.count_rejection("Obstacle", "unusable shape");
+    }
+  }
+  if (arrived_wall_s > 0.0 && changed_wall_s_ == 0.0) changed_wall_s_ = arrived_wall_s;
+}
+
 Status PlannerParticipant::connect() {
   const bool active = options_.ownership_strength >= PlannerOptions::kActiveStrength;
   auto status = StatusPublisher::make(bus_, clock_,

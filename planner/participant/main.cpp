@@ -41,6 +41,10 @@ int main(int argc, char** argv) {
   app.add_option("--budget-ms", options.budget_ms, "wall time for the search of one replan")
       ->check(CLI::Range(1.0, 10000.0))
       ->capture_default_str();
+  app.add_option("--obstacle-acceleration", options.obstacle_acceleration_mps2,
+                 "m/s²; the most by which moving obstacles may turn or change speed: they get margin for it")
+      ->check(CLI::Range(0.0, 100.0))
+      ->capture_default_str();
   app.add_option("--strength", options.ownership_strength, "ownership strength; below 10 it is a standby")
       ->check(CLI::Range(0, 1000))
       ->capture_default_str();

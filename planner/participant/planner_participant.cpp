@@ -44,6 +44,8 @@ Status validate(const PlannerOptions& options) {
   if (!is_within(options.budget_ms, 1.0, 10000.0))
     return bad_input("The planner's budget must be 1 to 10000 ms.");
   if (options.vehicle_id == 0) return bad_input("The vehicle id must not be 0.");
+  if (!is_within(options.obstacle_acceleration_mps2, 0.0, 100.0))
+    return bad_input("The acceleration of obstacles must be 0 to 100 m/s².");
   if (options.ownership_strength < 0) return bad_input("The ownership strength must not be negative.");
   return {};
 }
@@ -64,20 +66,6 @@ Result<std::unique_ptr<PlannerParticipant>> PlannerParticipant::make(Bus& bus, c
 PlannerParticipant::PlannerParticipant(Bus& bus, const Clock& clock, PlannerOptions options)
     : bus_(bus), clock_(clock), options_(options) {
   last_step_wall_s_ = clock.now_s();
-}
-
-void PlannerParticipant::take_changes() {
-  double arrived_wall_s = 0.0;
-  for (const Change& change : inbox_->take(arrived_wall_s)) {
-    if (const auto* gone = std::get_if<Gone>(&change)) keeper_.remove_obstacle(gone->obstacle_id);
-    if (const auto* tile = std::get_if<data::TerrainTile>(&change)) {
-      if (!keeper_.put(*tile)) bus_.count_rejection("TerrainTile", "does not fit its map");
-    }
-    if (const auto* obstacle = std::get_if<data::Obstacle>(&change)) {
-      if (!keeper_.put(*obstacle)) bus_.count_rejection("Obstacle", "unusable shape");
-    }
-  }
-  if (arrived_wall_s > 0.0 && changed_wall_s_ == 0.0) changed_wall_s_ = arrived_wall_s;
 }
 
 void PlannerParticipant::use_limits(const data::VehicleLimits& limits, std::uint64_t seed) {
@@ -141,6 +129,10 @@ void PlannerParticipant::take_inbox() {
   }
   if (auto charger = inbox_->charger.take()) charger_ = charger;
   take_changes();
+  if (options_.obstacle_acceleration_mps2 > 0.0) {
+    const double answered_s = (1 << late_) * lead_s(inbox_->time.rate(), options_.budget_ms);
+    keeper_.set_turn_margin(0.5 * options_.obstacle_acceleration_mps2 * answered_s * answered_s);
+  }
   take_mission();
   take_path();
 }

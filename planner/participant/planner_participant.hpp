@@ -28,6 +28,11 @@ struct PlannerOptions {
   double budget_ms = 60.0;               ///< wall time for the search of one replan
   std::int32_t ownership_strength = 10;  ///< below kActiveStrength it reports itself as the standby planner
   static constexpr std::int32_t kActiveStrength = 10;
+  /// The most by which an obstacle that moves may turn or change its speed. From then until the aircraft
+  /// flies what answers it (`lead_s`, of mission time) it gets ½ · acceleration · lead_s² away from where it
+  /// was said to be: moving obstacles get so much margin more. 0: none, the margins that their publishers
+  /// state must do. How late a sample tells of the turn is the publisher's to state in any case.
+  double obstacle_acceleration_mps2 = 0.0;
 };
 Status validate(const PlannerOptions& options);
 

@@ -82,6 +82,15 @@ void WorldKeeper::set_no_fly(std::vector<std::vector<Vec2>> parts, double relief
   changed_ = true;
 }
 
+void WorldKeeper::set_turn_margin(double margin_m) {
+  if (margin_m == turn_margin_m_) return;
+  turn_margin_m_ = margin_m;
+  const bool any_moves =
+      std::ranges::any_of(obstacles_, [](const auto& known) { return known.second.moves(); });
+  stale_ = stale_ || any_moves;
+  changed_ = changed_ || any_moves;
+}
+
 void WorldKeeper::set_has_terrain(bool has_terrain) {
   if (has_terrain == has_terrain_) return;
   has_terrain_ = has_terrain;
@@ -130,7 +139,10 @@ std::shared_ptr<const World> WorldKeeper::world() {
   if (has_terrain_ && !map_is_complete()) return world_;
   if (!build_terrain()) return world_;
   std::vector<Obstacle> obstacles;
-  for (const auto& [id, obstacle] : obstacles_) obstacles.push_back(obstacle);
+  for (const auto& [id, obstacle] : obstacles_) {
+    obstacles.push_back(obstacle);
+    if (obstacle.moves()) obstacles.back().margin_m += turn_margin_m_;
+  }
   add_no_fly(obstacles);
   Bounds bounds = bounds_;
   if (!no_fly_.empty()) bounds.max_m.z() = std::min(bounds.max_m.z(), highest_m_ + kNoFlyTop_m);

@@ -27,6 +27,8 @@ class WorldKeeper {
   /// point, which paths stay below then. Of the vehicle's radius and margin `relief_m` need not be kept from
   /// them. Their ids go down from the greatest there is.
   void set_no_fly(std::vector<std::vector<Vec2>> parts, double relief_m);
+  /// Kept from obstacles that move besides their own margins.
+  void set_turn_margin(double margin_m);
   /// With terrain there is no World before its tiles are complete; without it the ground is at z = 0.
   void set_has_terrain(bool has_terrain);
 
@@ -58,6 +60,7 @@ class WorldKeeper {
   double highest_m_ = 0.0;
   std::vector<std::vector<Vec2>> no_fly_;
   double no_fly_relief_m_ = 0.0;
+  double turn_margin_m_ = 0.0;
   Bounds bounds_;
   std::uint32_t obstacle_revision_ = 0;
   std::uint32_t terrain_revision_ = 0;

@@ -39,12 +39,13 @@ class PlannerFixture {
   }
 
   void start_planner(std::int32_t strength = 10) {
+    start_planner_with({.vehicle_id = 1, .ownership_strength = strength});
+  }
+  void start_planner_with(const PlannerOptions& options) {
     planner.reset();
     planner_bus_.reset();
     planner_bus_ = network_.make_bus();
-    planner = std::move(PlannerParticipant::make(*planner_bus_, wall,
-                                                 {.vehicle_id = 1, .ownership_strength = strength}))
-                  .value();
+    planner = std::move(PlannerParticipant::make(*planner_bus_, wall, options)).value();
   }
   void stop_planner() {
     planner.reset();
