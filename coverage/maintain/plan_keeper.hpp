@@ -97,6 +97,8 @@ class PlanKeeper {
   std::optional<double> energy_at_next_landing() const;
   /// Metres of strips given up after their tries.
   double unflown_m() const { return unflown_m_; }
+  /// What the robot's own battery holds, as far as is known.
+  double robot_energy() const { return robot_ ? robot_->energy : task_.charger.battery.capacity; }
   /// States refused so far.
   std::uint64_t refused() const { return refused_; }
   /// Whether everything is flown or ahead in the plan.

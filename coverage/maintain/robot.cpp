@@ -26,7 +26,7 @@ std::vector<bool> trips_of(const LivePlan& plan) {
 RobotStart PlanKeeper::robot_start() const {
   RobotStart out;
   out.at_m = robot_ ? robot_->position_m : task_.charger.start_m;
-  out.energy = robot_ ? robot_->energy : task_.charger.battery.capacity;
+  out.energy = robot_energy();
   out.free_s = robot_arrives_s(out.at_m);
   out.has_aircraft = vehicle_ && vehicle_->mode == AircraftMode::kDocked;
   if (vehicle_ && vehicle_->on_ground() && has_flown_ && battery_) out.aircraft_energy = battery_->energy;

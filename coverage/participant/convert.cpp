@@ -107,13 +107,15 @@ void add_ways(const LivePlan& plan, const Vec3& start_m, data::CoveragePlan& out
   }
 }
 
-/// The robot at its depot before a meeting, or (none) after the last of all.
+/// The robot at its depot before a meeting, or (none) after the last of all; `held` is what it has on its
+/// arrival.
 data::Rendezvous depot_stop(const LivePlan& plan, const Charger& charger, const Rendezvous* before,
-                            const Vec3& depot_m) {
+                            const Vec3& depot_m, double held) {
   const double refill_s = charger.battery.refill_s;
   data::Rendezvous out;
   out.kind = data::StopKind::kDepot;
   out.site = out.carry_to = to_data(depot_m);
+  out.robot_energy = held;
   out.robot_energy_left = charger.battery.capacity;
   if (before != nullptr) {
     out.rendezvous_id = before->id;
@@ -126,7 +128,6 @@ data::Rendezvous depot_stop(const LivePlan& plan, const Charger& charger, const 
   const Rendezvous& last = plan.rendezvous.back();
   const double home_s = drive_s(charger, last.carry ? last.carry_to_m : last.site_m, depot_m);
   if (!std::isfinite(home_s)) return out;
-  out.robot_energy = std::max(0.0, last.robot_energy_left - charger.battery.drive_per_s * home_s);
   out.arrive_by_s = std::max(0.0, last.depart_s) + home_s;
   out.depart_s = out.arrive_by_s + refill_s;
   return out;
@@ -149,6 +150,12 @@ class StopWriter {
 
   bool is_limited() const { return std::isfinite(charger_.battery.capacity); }
   const Vec3& depot_m() const { return depot_m_; }
+
+  /// What is left of so much once it has driven to the depot.
+  double held_at_depot(double energy) const {
+    const double home_s = drive_s(charger_, at_m_, depot_m_);
+    return std::isfinite(home_s) ? std::max(0.0, energy - charger_.battery.drive_per_s * home_s) : 0.0;
+  }
 
   void add(data::Rendezvous stop, const Vec3& site_m, const Vec3& end_m) {
     const RobotWay there = robot_way(charger_, terrain_, at_m_, site_m);
@@ -181,15 +188,19 @@ class StopWriter {
 };
 
 void add_rendezvous(const LivePlan& plan, const Charger& charger, const planner::Terrain& terrain,
-                    const Vec3& robot_m, data::ChargerPlan& out) {
+                    const Vec3& robot_m, double robot_energy, data::ChargerPlan& out) {
   StopWriter stops(charger, terrain, robot_m, out);
+  const auto add_depot = [&](const Rendezvous* before) {
+    const data::Rendezvous stop =
+        depot_stop(plan, charger, before, stops.depot_m(), stops.held_at_depot(robot_energy));
+    stops.add(stop, stops.depot_m(), stops.depot_m());
+  };
   for (const Rendezvous& meeting : plan.rendezvous) {
-    if (meeting.by_depot)
-      stops.add(depot_stop(plan, charger, &meeting, stops.depot_m()), stops.depot_m(), stops.depot_m());
+    if (meeting.by_depot) add_depot(&meeting);
     stops.add(to_data(meeting), meeting.site_m, meeting.carry ? meeting.carry_to_m : meeting.site_m);
+    robot_energy = meeting.robot_energy_left;
   }
-  if (stops.is_limited())
-    stops.add(depot_stop(plan, charger, nullptr, stops.depot_m()), stops.depot_m(), stops.depot_m());
+  if (stops.is_limited()) add_depot(nullptr);
 }
 
 /// The ways' bends, back where PlanKeeper has them: the first way's without the start.
@@ -250,7 +261,7 @@ WirePlans to_wire(const PlanKeeper& keeper, const planner::Terrain& terrain, con
     charger.has_battery = true;
     charger.battery = {own.capacity, own.reserve, own.drive_per_s, own.per_charged, own.refill_s};
   }
-  add_rendezvous(plan, task.charger, terrain, robot_m, charger);
+  add_rendezvous(plan, task.charger, terrain, robot_m, keeper.robot_energy(), charger);
   return out;
 }
 

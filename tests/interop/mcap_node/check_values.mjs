@@ -61,6 +61,8 @@ function checkVendor(vendor, base) {
   expect(`${vendor}: rendezvous`, one("ChargerPlan").rendezvous?.[0].carry_to.y_m, 4);
   expect(`${vendor}: robot's way`, one("ChargerPlan").bends?.[one("ChargerPlan").rendezvous?.[0].carry_first_bend].y_m, 9);
   expect(`${vendor}: robot's speed`, one("ChargerPlan").rendezvous?.[0].carry_speed_mps, 1.25);
+  expect(`${vendor}: robot's energy`, one("ChargerPlan").rendezvous?.[0].robot_energy_left, 80);
+  expect(`${vendor}: robot's battery`, one("ChargerPlan").battery?.refill_s, 60);
   expect(`${vendor}: path's waypoints`, one("PathPlan").waypoints?.length, 500);
   expect(`${vendor}: last waypoint`, one("PathPlan").waypoints?.[499].position.x_m, 499);
   expect(`${vendor}: path's reason`, one("PathPlan").reason, "obstacle 9 appeared");
@@ -68,6 +70,7 @@ function checkVendor(vendor, base) {
   expect(`${vendor}: last leg`, one("CoveragePlan").legs?.[4095].end_s, 40950);
   expect(`${vendor}: last leg's bends`, one("CoveragePlan").bends?.[one("CoveragePlan").legs?.[4095].first_bend + 1].x_m, 4095.5);
   expect(`${vendor}: charger's activity`, one("ChargerState").activity, 2);
+  expect(`${vendor}: charger's energy`, one("ChargerState").energy, 240.25);
   expect(`${vendor}: rejection`, one("ParticipantStatus").rejected?.[0].count, 3n);
   const obstacles = new Set(of("Obstacle").map((o) => o.obstacle_id));
   expect(`${vendor}: obstacles`, [...obstacles].sort().join(), [base, base + 1, base + 2].join());

@@ -121,7 +121,23 @@ inline data::ChargerPlan charger_plan(std::uint32_t base) {
   data::ChargerPlan p;
   p.charger_id = base;
   p.speed_mps = 1.6;
-  p.rendezvous = {{5, {1, 2, 0}, 100.0, 150.0, 500.0, true, {3, 4, 0}, 0, 1, 1.5, 1, 2, 1.25}};
+  p.has_battery = true;
+  p.battery = {.capacity = 300.0, .reserve = 20.0, .drive_per_s = 0.1, .per_charged = 1.1, .refill_s = 60.0};
+  p.rendezvous = {{.rendezvous_id = 5,
+                   .site = {1, 2, 0},
+                   .arrive_by_s = 100.0,
+                   .depart_s = 150.0,
+                   .charge_to = 500.0,
+                   .carry = true,
+                   .carry_to = {3, 4, 0},
+                   .first_bend = 0,
+                   .bend_count = 1,
+                   .speed_mps = 1.5,
+                   .carry_first_bend = 1,
+                   .carry_bend_count = 2,
+                   .carry_speed_mps = 1.25,
+                   .robot_energy = 250.0,
+                   .robot_energy_left = 80.0}};
   p.bends = {{5, 6, 7}, {8, 9, 10}, {11, 12, 13}};
   return p;
 }
@@ -160,6 +176,7 @@ Status publish_scenario(Out& out, std::uint32_t base, const Sizes& sizes) {
   charger.charger_id = base;
   charger.activity = data::ChargerActivity::kWaiting;
   charger.energy_delivered = 75.5;
+  charger.energy = 240.25;
   out.send(charger);
   std::thread burst([&] {
     out.send(path_plan(base));

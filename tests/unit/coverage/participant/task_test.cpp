@@ -223,6 +223,43 @@ TEST(TaskOnTheWire, TheRobotsWaysAndChargingAreInItsPlan) {
   EXPECT_GT(first.speed_mps, task.charger.ground.off_road_speed_mps);
 }
 
+TEST(TaskOnTheWire, TheRobotsStopsAtItsDepotAndWhatItShouldHoldAreInItsPlan) {
+  data::CoverageTask task = field_task();
+  task.battery.capacity = 60.0;
+  const Answer endless = answer_to(task);
+  ASSERT_EQ(endless.charger.size(), 1U) << endless.message;
+  EXPECT_FALSE(endless.charger[0].has_battery);
+  ASSERT_GE(endless.charger[0].rendezvous.size(), 3U);
+  task.charger.has_battery = true;
+  task.charger.battery = {.capacity = 110.0, .reserve = 5.0, .drive_per_s = 0.1, .refill_s = 30.0};
+  const Answer answer = answer_to(task);
+  ASSERT_EQ(answer.charger.size(), 1U) << answer.message;
+  const data::ChargerPlan& plan = answer.charger[0];
+  EXPECT_EQ(data::validate(plan), data::Refusal{});
+  EXPECT_TRUE(plan.has_battery);
+  EXPECT_EQ(plan.battery, task.charger.battery);
+  int stops = 0;
+  double least = 1e9;
+  for (std::size_t i = 0; i < plan.rendezvous.size(); ++i) {
+    const data::Rendezvous& stop = plan.rendezvous[i];
+    EXPECT_GE(stop.robot_energy, i + 1 < plan.rendezvous.size() ? 1e-9 : 0.0);
+    if (stop.kind == data::StopKind::kMeeting) {
+      least = std::min(least, stop.robot_energy_left);
+      EXPECT_LE(stop.robot_energy_left, stop.robot_energy);
+      continue;
+    }
+    ++stops;
+    EXPECT_EQ(stop.site, task.charger.start);
+    EXPECT_NEAR(stop.depart_s - stop.arrive_by_s, 30.0, 1e-6);
+    if (i + 1 < plan.rendezvous.size()) {
+      EXPECT_EQ(stop.rendezvous_id, plan.rendezvous[i + 1].rendezvous_id);
+    }
+  }
+  EXPECT_GE(stops, 2) << "on the way, and at the end";
+  EXPECT_EQ(plan.rendezvous.back().kind, data::StopKind::kDepot);
+  EXPECT_GE(least, 5.0) << "the reserve";
+}
+
 TEST(TaskOnTheWire, ClosedGroundIsDrivenRound) {
   data::CoverageTask task = field_task();
   task.battery.capacity = 100.0;
