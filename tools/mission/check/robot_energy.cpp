@@ -28,10 +28,11 @@ void judge_step(const RobotBattery& battery, double speed_mps, const data::Charg
                 const data::ChargerState& to, Findings& findings) {
   const P3 at{to.position.x_m, to.position.y_m, to.position.z_m};
   const double fall = from.energy - to.energy;
+  // Between two states it may have come and gone.
+  const double away = from_depot_m(battery, from) + from_depot_m(battery, to);
+  const bool may_refill = away <= speed_mps * (to.time_s - from.time_s) + kAtDepot_m;
   if (fall < -kEnergy) {
-    // Between two states it may have come and gone.
-    const double away = from_depot_m(battery, from) + from_depot_m(battery, to);
-    if (away > speed_mps * (to.time_s - from.time_s) + kAtDepot_m)
+    if (!may_refill)
       findings.add(to.time_s, "robot_energy", at, "charger", -fall,
                    "the robot's energy rose by %.2f units %.2f m from its depot", -fall, away);
     return;
@@ -46,7 +47,7 @@ void judge_step(const RobotBattery& battery, double speed_mps, const data::Charg
   if (fall > most * (1.0 + kShare) + kEnergy)
     findings.add(to.time_s, "robot_energy", at, "charger", fall - most,
                  "the robot's energy fell by %.2f units, driving and charging take %.2f at most", fall, most);
-  if (fall < least * (1.0 - kShare) - kEnergy && to.energy > 0.0)
+  if (fall < least * (1.0 - kShare) - kEnergy && to.energy > 0.0 && !may_refill)
     findings.add(to.time_s, "robot_energy", at, "charger", least - fall,
                  "the robot's energy fell by %.2f units, driving and charging take %.2f at least", fall,
                  least);
