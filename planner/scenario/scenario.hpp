@@ -175,8 +175,8 @@ struct ChargerLoss {
   double energy = 0.0;
 };
 
-/// Another aircraft takes the place of the one that flies, under the same id, as soon as that stands on the
-/// ground.
+/// Another aircraft takes the place of the one that flies, under the same id, as soon as that has stood
+/// on the ground for five seconds.
 struct AircraftReplaced {
   std::optional<Vec2> start_m{};     ///< where it stands; none: where the mission starts
   std::optional<double> capacity{};  ///< of its battery; none: as that of the coverage says

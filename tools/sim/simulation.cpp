@@ -6,6 +6,12 @@
 #include "tools/sim/convert.hpp"
 
 namespace swallowtail::sim {
+namespace {
+
+/// That an aircraft stands before another takes its place.
+constexpr double kSwap_s = 5.0;
+
+}  // namespace
 
 Result<std::unique_ptr<Simulation>> Simulation::make(const planner::Scenario& scenario,
                                                      const SimulationOptions& options) {
@@ -75,7 +81,8 @@ Changes Simulation::step() {
   observe(before);
   if (battery_ && changes.energy_lost > 0.0) battery_->lose(changes.energy_lost);
   if (changes.aircraft) other_aircraft_ = changes.aircraft;
-  if (other_aircraft_ && aircraft_.motion().on_ground()) replace_aircraft();
+  if (!aircraft_.motion().on_ground()) aloft_s_ = time_s();
+  if (other_aircraft_ && time_s() >= aloft_s_ + kSwap_s) replace_aircraft();
   const double energy = battery_ ? battery_->energy() : 1.0;
   outcome_ = referee_.judge(aircraft_.motion(), energy);
   return changes;

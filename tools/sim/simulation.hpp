@@ -89,6 +89,7 @@ class Simulation {
   Tally tally_;
   std::uint64_t steps_ = 0;
   std::optional<planner::AircraftReplaced> other_aircraft_;  ///< waits for the one that flies to land
+  double aloft_s_ = 0.0;                                     ///< when it was last
   bool charged_here_ = false;                                ///< in this stay on the ground
   std::optional<Outcome> outcome_;
 };

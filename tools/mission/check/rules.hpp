@@ -77,7 +77,7 @@ struct RobotBattery {
 
 /// Another aircraft takes over, with so much in its battery.
 struct Replacement {
-  double from_s = 0.0;  ///< or as soon after as the one before stands on the ground
+  double from_s = 0.0;  ///< or as soon after as the one before has stood on the ground for a while
   double energy = 0.0;
 };
 
