@@ -138,6 +138,41 @@ TEST_F(ChargerParticipantTest, RefusesABatteryOfAnotherCapacity) {
   EXPECT_EQ(rejections("another capacity"), 1u);
 }
 
+TEST_F(ChargerParticipantTest, AnotherAircraftHasABatteryOfItsOwn) {
+  ASSERT_TRUE(plans_->publish(plan_to({90, 0, 0})));
+  run(0.1);
+  data::VehicleState vehicle;
+  vehicle.vehicle_id = 5;
+  vehicle.time_s = 10;
+  vehicle.legs_done = 3;
+  ASSERT_TRUE(vehicles_->publish(vehicle));
+  ASSERT_TRUE(batteries_->publish({.vehicle_id = 5, .time_s = 10, .energy = 40, .capacity = 100}));
+  vehicle.time_s = 20;
+  vehicle.legs_done = 0;
+  ASSERT_TRUE(vehicles_->publish(vehicle));
+  // A state of the one before that comes late does not make its capacity known again.
+  ASSERT_TRUE(batteries_->publish({.vehicle_id = 5, .time_s = 19, .energy = 40, .capacity = 100}));
+  ASSERT_TRUE(batteries_->publish({.vehicle_id = 5, .time_s = 21, .energy = 70, .capacity = 80}));
+  run(0.1);
+  EXPECT_EQ(rejections("another capacity"), 0u);
+  ASSERT_TRUE(batteries_->publish({.vehicle_id = 5, .time_s = 22, .energy = 70, .capacity = 100}));
+  EXPECT_EQ(rejections("another capacity"), 1u);
+}
+
+TEST_F(ChargerParticipantTest, TellsWhatItsOwnBatteryHolds) {
+  data::ChargerPlan plan = plan_to({90, 0, 0});
+  plan.has_battery = true;
+  plan.battery = {.capacity = 100, .reserve = 10, .drive_per_s = 2.0, .per_charged = 1.0, .refill_s = 5};
+  plan.home_speed_mps = 2.0;
+  plan.rendezvous[0].home_speed_mps = 2.0;
+  ASSERT_TRUE(plans_->publish(plan));
+  run(2.0, 5.0);
+  ASSERT_FALSE(states_.empty());
+  const double driven_s = (states_.back().position.x_m - 10.0) / 2.0;
+  EXPECT_GT(driven_s, 8.0);
+  EXPECT_NEAR(states_.back().energy, 100.0 - 2.0 * driven_s, 1e-6);
+}
+
 TEST_F(ChargerParticipantTest, RefusesOrdersThatItCannotFollow) {
   ASSERT_TRUE(plans_->publish(plan_to({90, 0, 0})));
   run(0.1);
