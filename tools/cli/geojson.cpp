@@ -1,5 +1,6 @@
 #include "tools/cli/geojson.hpp"
 
+#include <cmath>
 #include <utility>
 
 namespace swallowtail::cli {
@@ -22,7 +23,15 @@ void GeoJsonWriter::add(const char* type, Json coordinates, Json properties) {
 
 void GeoJsonWriter::add_line(const std::vector<Vec3>& points, Json properties) {
   Json line = Json::array();
-  for (const Vec3& point : points) line.push_back(coordinates(point));
+  for (const Vec3& point : points) {
+    Json next = coordinates(point);
+    // Over the 180th meridian longitudes run on: the line is not one round the Earth.
+    if (origin_ && !line.empty() && next.is_array() && line.back().is_array()) {
+      const double step_deg = next[0].get<double>() - line.back()[0].get<double>();
+      if (std::abs(step_deg) > 180.0) next[0] = next[0].get<double>() - std::copysign(360.0, step_deg);
+    }
+    line.push_back(std::move(next));
+  }
   add("LineString", std::move(line), std::move(properties));
 }
 

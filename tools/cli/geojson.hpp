@@ -12,7 +12,8 @@
 namespace swallowtail::cli {
 
 /// Collects features for a GeoJSON file: longitude, latitude and elevation around `origin`; without one local
-/// metres, and each feature says so in its property `crs`.
+/// metres, and each feature says so in its property `crs`. Longitudes of a line over the 180th meridian run
+/// on past it.
 class GeoJsonWriter {
  public:
   explicit GeoJsonWriter(std::optional<planner::GeoOrigin> origin) : origin_(origin) {}

@@ -1,11 +1,14 @@
 #include "tools/cli/cover_files.hpp"
 
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include "tools/cli/geojson.hpp"
 
 namespace swallowtail::cli {
 namespace {
@@ -144,6 +147,15 @@ TEST(CoverFiles, APlanFileIsRefusedForSeveralTasksAndLocalMetres) {
   std::vector<Covered> one = planned().done;
   one.front().task = &local;
   EXPECT_THAT(cover_qgc_plan(one).error().message, HasSubstr("local metres"));
+}
+
+TEST(CoverFiles, LinesOverThe180thMeridianDoNotGoRoundTheEarth) {
+  GeoJsonWriter writer(planner::GeoOrigin{-16.8, 180.0, 0.0});
+  writer.add_line({Vec3(-50, 0, 0), Vec3(50, 0, 0), Vec3(-50, 10, 0)}, {});
+  const auto line = nlohmann::json::parse(writer.text())["features"][0]["geometry"]["coordinates"];
+  ASSERT_EQ(line.size(), 3U);
+  for (std::size_t i = 0; i + 1 < line.size(); ++i)
+    EXPECT_NEAR(std::abs(line[i][0].get<double>() - line[i + 1][0].get<double>()), 0.00094, 1e-5);
 }
 
 }  // namespace
