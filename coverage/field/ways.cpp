@@ -17,8 +17,14 @@ constexpr double kFar = std::numeric_limits<double>::infinity();
 constexpr double kPush_m = 0.02;
 /// Of a straight way, may touch what is not crossed: rounding.
 constexpr double kTouch_m = 2.5e-3;
-/// Of the corners that ways bend at; beyond, near ones are taken together.
-constexpr std::size_t kMaxCorners = 1600;
+/// Of the corners that ways bend at, by the work of seeing each from each past every edge; beyond, near ones
+/// are taken together.
+constexpr double kMostLooks = 1.6e9;
+double most_corners(const std::vector<Ring>& rings) {
+  double edges = 1.0;
+  for (const Ring& ring : rings) edges += static_cast<double>(ring.size());
+  return std::clamp(std::sqrt(kMostLooks / edges), 400.0, 1600.0);
+}
 
 }  // namespace
 
@@ -29,12 +35,13 @@ class Ways::Domain {
 
   Domain(std::vector<Ring> rings, Free free) : rings_(std::move(rings)), free_(free) {
     for (const Ring& ring : rings_) boxes_.push_back(box_of(ring));
+    const double most = most_corners(rings_);
     double tolerance = 0.0;
     do {
       nodes_.clear();
       for (const Ring& ring : rings_) add_nodes(ring, tolerance);
       tolerance = tolerance > 0.0 ? tolerance * 2.0 : 0.1;
-    } while (nodes_.size() > kMaxCorners && tolerance < 1e4);
+    } while (static_cast<double>(nodes_.size()) > most && tolerance < 1e4);
   }
 
   bool is_free(const Vec2& from, const Vec2& to) const;
