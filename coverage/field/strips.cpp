@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -28,7 +29,9 @@ struct Rounds {
   int most;
 };
 constexpr Rounds kRounds{5, 200};
-constexpr Rounds kRoundsAmongHoles{20, 1000};
+constexpr Rounds kRoundsAmongHoles{40, 1500};
+/// Of what a piece costs by itself, what it costs in a tour: not every turn is sharp enough for a stop.
+constexpr double kInTour = 0.7;
 /// Pieces of a field beyond which the search would be a drop in the ocean.
 constexpr std::size_t kMostSearched = 1000;
 
@@ -120,79 +123,97 @@ Status add_lines(const Polygon& area, const StripParams& params, Cut& out) {
   return {};
 }
 
-/// What the lines leave over gets lines of its own, then all are drawn in. `turned` and the lines lie in the
-/// frame that is turned by turn_rad.
-Result<Strips> finish(const Polygon& turned, const StripParams& params, Cut cut, double turn_rad) {
+/// Lines that together see the field, none drawn in yet.
+struct Lines {
+  double turn_rad = 0.0;
+  Polygon turned;  ///< in the frame of the lines
+  Cut cut;
+  double uncovered_m2 = 0.0;
+  double allowed_m2 = 0.0;  ///< may become uncovered besides
+
+  double cost_m(double piece_cost_m) const {
+    double cost = 0.0;
+    for (const detail::Segment& piece : cut.pieces) cost += piece.length_m() + piece_cost_m;
+    return cost;
+  }
+};
+
+/// What the lines leave over gets lines of its own.
+Status add_rest(const StripParams& params, Lines& lines) {
   std::vector<Ring> seen;
-  for (const detail::Segment& piece : cut.pieces)
+  for (const detail::Segment& piece : lines.cut.pieces)
     seen.push_back(detail::seen_from(piece, params.sensor_width_m));
-  const detail::Shape rest = detail::Shape::of(turned).minus(detail::Shape::of(seen));
+  const detail::Shape rest = detail::Shape::of(lines.turned).minus(detail::Shape::of(seen));
   if (!rest.ok()) return internal_error("GEOS could not subtract the strips from the field.");
-  const double allowed_m2 = kUncoveredShare * area_m2(turned);
-  detail::RestCover cover =
-      detail::cover_rest(turned, rest, {params.sensor_width_m, params.piece_cost_m, kRestShare * allowed_m2});
-  Strips out{turn_rad, cut.count, cut.width_m, {}, cover.uncovered_m2};
-  int number = cut.count;
-  for (detail::Segment& piece : cut.pieces) {
+  const double allowed_m2 = kUncoveredShare * area_m2(lines.turned);
+  detail::RestCover cover = detail::cover_rest(
+      lines.turned, rest, {params.sensor_width_m, params.piece_cost_m, kRestShare * allowed_m2});
+  int number = lines.cut.count;
+  for (detail::Segment& piece : lines.cut.pieces) {
     if (piece.strip < 0) piece.strip = number++;
   }
   for (detail::Segment piece : cover.pieces) {
     piece.strip = number++;
-    cut.pieces.push_back(piece);
+    lines.cut.pieces.push_back(piece);
   }
-  const double may_lose = std::max(0.0, allowed_m2 - cover.uncovered_m2);
-  // Where lines are to overlap, each is needed for what lies nearest to it, though others see that too.
-  const double needed_width_m = params.overlap > 0.0 ? spacing_m(params) : params.sensor_width_m;
-  out.uncovered_m2 += detail::trim(turned, {needed_width_m, may_lose}, cut.pieces);
-  std::stable_sort(cut.pieces.begin(), cut.pieces.end(),
-                   [](const detail::Segment& a, const detail::Segment& b) { return a.strip < b.strip; });
-  for (const detail::Segment& piece : cut.pieces)
-    out.pieces.push_back({rotated(piece.from_m, turn_rad), rotated(piece.to_m, turn_rad), piece.strip});
+  lines.uncovered_m2 = cover.uncovered_m2;
+  lines.allowed_m2 = std::max(0.0, allowed_m2 - cover.uncovered_m2);
+  return {};
+}
+
+Result<Lines> lines_along(const Polygon& polygon, const StripParams& params, double sweep_rad) {
+  Lines out{sweep_rad, rotated(polygon, -sweep_rad), {}};
+  if (params.headland_m > 0.0) {
+    add_headland(out.turned, params, out.cut);
+    for (const Polygon& part : detail::Shape::of(out.turned).inset(params.headland_m).parts()) {
+      if (const Status status = add_lines(part, params, out.cut); !status) return status.error();
+    }
+  } else if (const Status status = add_lines(out.turned, params, out.cut); !status) {
+    return status.error();
+  }
+  if (const Status status = add_rest(params, out); !status) return status.error();
   return out;
 }
 
-Result<Strips> cut_along(const Polygon& polygon, const StripParams& params, double sweep_rad) {
-  const Polygon turned = rotated(polygon, -sweep_rad);
-  Cut cut;
-  if (params.headland_m > 0.0) {
-    add_headland(turned, params, cut);
-    for (const Polygon& part : detail::Shape::of(turned).inset(params.headland_m).parts()) {
-      if (const Status status = add_lines(part, params, cut); !status) return status.error();
-    }
-  } else if (const Status status = add_lines(turned, params, cut); !status) {
-    return status.error();
-  }
-  return finish(turned, params, std::move(cut), sweep_rad);
+Strips strips_of(const Lines& lines) {
+  Strips out{lines.turn_rad, lines.cut.count, lines.cut.width_m, {}, lines.uncovered_m2};
+  for (const detail::Segment& piece : lines.cut.pieces)
+    out.pieces.push_back(
+        {rotated(piece.from_m, lines.turn_rad), rotated(piece.to_m, lines.turn_rad), piece.strip});
+  return out;
 }
 
-/// Lines of any direction, each where it pays.
-void improve(const Polygon& polygon, const StripParams& params, Strips& strips) {
-  if (strips.pieces.size() > kMostSearched) return;
-  std::vector<detail::Segment> pieces;
-  for (const Piece& piece : strips.pieces) {
-    pieces.push_back(
-        {rotated(piece.from_m, -strips.sweep_rad), rotated(piece.to_m, -strips.sweep_rad), piece.strip});
-  }
+Strips drawn_in(const StripParams& params, Lines lines) {
+  // Where lines are to overlap, each is needed for what lies nearest to it, though others see that too.
+  const double needed_width_m = params.overlap > 0.0 ? spacing_m(params) : params.sensor_width_m;
+  lines.uncovered_m2 += detail::trim(lines.turned, {needed_width_m, lines.allowed_m2}, lines.cut.pieces);
+  std::stable_sort(lines.cut.pieces.begin(), lines.cut.pieces.end(),
+                   [](const detail::Segment& a, const detail::Segment& b) { return a.strip < b.strip; });
+  return strips_of(lines);
+}
+
+bool is_mixed(const StripParams& params, const Lines& lines) {
+  return params.headland_m <= 0.0 && params.overlap <= 0.0 && params.beyond == Beyond::kNever &&
+         lines.cut.pieces.size() <= kMostSearched;
+}
+
+/// Lines of any direction, each where it pays, in the order of a tour.
+Strips mixed(const StripParams& params, Lines lines) {
+  std::vector<detail::Segment>& pieces = lines.cut.pieces;
   detail::LineSearchParams search;
   search.width_m = params.sensor_width_m;
-  search.piece_cost_m = params.piece_cost_m;
-  search.allowed_m2 = std::max(0.0, kUncoveredShare * area_m2(polygon) - strips.uncovered_m2);
-  const Rounds& rounds = polygon.holes.empty() ? kRounds : kRoundsAmongHoles;
+  search.piece_cost_m = kInTour * params.piece_cost_m;
+  search.turn = params.turn;
+  search.allowed_m2 = lines.allowed_m2;
+  const Rounds& rounds = lines.turned.holes.empty() ? kRounds : kRoundsAmongHoles;
   search.rounds = std::min(rounds.most, rounds.per_piece * static_cast<int>(pieces.size()));
-  const double lost_m2 = detail::search_lines(rotated(polygon, -strips.sweep_rad), search, pieces);
+  lines.uncovered_m2 += detail::search_lines(lines.turned, search, pieces);
   int number = 0;
   for (const detail::Segment& piece : pieces) number = std::max(number, piece.strip + 1);
   for (detail::Segment& piece : pieces) {
     if (piece.strip < 0) piece.strip = number++;
   }
-  std::stable_sort(pieces.begin(), pieces.end(),
-                   [](const detail::Segment& a, const detail::Segment& b) { return a.strip < b.strip; });
-  strips.pieces.clear();
-  for (const detail::Segment& piece : pieces) {
-    strips.pieces.push_back(
-        {rotated(piece.from_m, strips.sweep_rad), rotated(piece.to_m, strips.sweep_rad), piece.strip});
-  }
-  strips.uncovered_m2 += lost_m2;
+  return strips_of(lines);
 }
 
 }  // namespace
@@ -222,21 +243,25 @@ Result<Strips> cut_strips(const Polygon& polygon, const StripParams& params) {
     return bad_input("The field is " + std::to_string((raw.hi - raw.lo).norm()) +
                      " m across: too large for a sensor of " + std::to_string(params.sensor_width_m) + " m.");
   }
-  if (params.sweep_rad) return cut_along(polygon, params, *params.sweep_rad);
-  const SweepParams sweep{params.sensor_width_m, spacing_m(params), params.piece_cost_m};
-  std::optional<Result<Strips>> best;
-  for (const double angle_rad : best_sweeps_rad(polygon, sweep, kSweepsTried)) {
-    Result<Strips> strips = cut_along(polygon, params, angle_rad);
-    const bool better = strips.ok() && (!best || !best->ok() ||
-                                        strips->cost_m(params.piece_cost_m) <
-                                            best->value().cost_m(params.piece_cost_m) - kBetter_m);
-    if (!best || better) best = std::move(strips);
+  if (params.sweep_rad) {
+    Result<Lines> lines = lines_along(polygon, params, *params.sweep_rad);
+    if (!lines) return lines.error();
+    return drawn_in(params, std::move(*lines));
   }
-  const bool may_vary = params.headland_m <= 0.0 && params.overlap <= 0.0 && params.beyond == Beyond::kNever;
-  if (!may_vary || !best->ok()) return *best;
-  Strips chosen = best->value();
-  improve(polygon, params, chosen);
-  return chosen;
+  const SweepParams sweep{params.sensor_width_m, spacing_m(params), params.piece_cost_m};
+  std::optional<Result<Lines>> best;
+  double least_m = std::numeric_limits<double>::infinity();
+  for (const double angle_rad : best_sweeps_rad(polygon, sweep, kSweepsTried)) {
+    Result<Lines> lines = lines_along(polygon, params, angle_rad);
+    const double cost_m =
+        lines ? lines->cost_m(params.piece_cost_m) : std::numeric_limits<double>::infinity();
+    if (best && cost_m >= least_m - kBetter_m) continue;
+    least_m = cost_m;
+    best = std::move(lines);
+  }
+  if (!best->ok()) return best->error();
+  Lines& lines = best->value();
+  return is_mixed(params, lines) ? mixed(params, std::move(lines)) : drawn_in(params, std::move(lines));
 }
 
 }  // namespace swallowtail::coverage

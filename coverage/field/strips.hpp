@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "coverage/field/polygon.hpp"
+#include "coverage/field/turn_cost.hpp"
 
 namespace swallowtail::coverage {
 
@@ -17,6 +18,7 @@ struct StripParams {
   std::optional<double>
       sweep_rad{};  ///< flying direction, counter-clockwise from east; without it the cheapest is chosen
   double piece_cost_m = 25.0;  ///< see SweepParams
+  TurnCost turn{};             ///< weighs lines of mixed direction by the tour that flies them
   double headland_m = 0.0;     ///< width of a band along the border that is flown along it, before the strips
   Beyond beyond = Beyond::kNever;
 };

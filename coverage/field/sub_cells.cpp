@@ -96,6 +96,7 @@ StripParams strip_params(const CutParams& params) {
   out.overlap = params.rules.overlap;
   out.sweep_rad = params.sweep_rad;
   out.piece_cost_m = params.piece_cost_m;
+  out.turn = params.turn;
   out.headland_m = params.rules.headland == Headland::kFly ? params.rules.headland_m : 0.0;
   out.beyond = params.rules.beyond;
   return out;

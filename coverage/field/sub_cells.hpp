@@ -50,6 +50,7 @@ struct CutParams {
   double sensor_width_m = 10.0;
   std::optional<double> sweep_rad{};  ///< see StripParams
   double piece_cost_m = 25.0;         ///< see SweepParams
+  TurnCost turn{};
   double height_tolerance_m =
       2.0;  ///< over terrain: a sub-cell is cut where the height above ground would leave this band
   double clearance_m = 2.5;  ///< least height above ground that is ever flown

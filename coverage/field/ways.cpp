@@ -238,8 +238,10 @@ const Ways::Domain* Ways::domain_of(const Vec2& from, const Vec2& to) const {
 }
 
 std::vector<Vec2> Ways::corners(const Vec2& from, const Vec2& to) const {
+  if (last_ && last_->from_m == from && last_->to_m == to) return last_->corners_m;
   const Domain* domain = domain_of(from, to);
-  return domain == nullptr ? std::vector<Vec2>() : domain->corners(from, to);
+  last_ = Bent{from, to, domain == nullptr ? std::vector<Vec2>() : domain->corners(from, to)};
+  return last_->corners_m;
 }
 
 bool Ways::is_free(const Vec2& from, const Vec2& to) const {

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -39,6 +40,13 @@ class Ways {
   std::unique_ptr<Domain> open_;                ///< what lies outside all holes and no-fly areas
   using Place = std::pair<double, double>;
   mutable std::map<Place, int> room_cache_;
+  /// The way asked for last: it is asked for again at once, in all the ways of flying it.
+  struct Bent {
+    Vec2 from_m = Vec2::Zero();
+    Vec2 to_m = Vec2::Zero();
+    std::vector<Vec2> corners_m;
+  };
+  mutable std::optional<Bent> last_;
 };
 
 }  // namespace swallowtail::coverage

@@ -20,6 +20,8 @@ struct Budget {
 
 /// Largest layered graph that is compared with the full one in any mode.
 constexpr int kComparedVertices = 1700;
+/// Kicks per sub-cell of the search by flight alone that begins with the cut's own tour.
+constexpr std::uint64_t kKicksOfTour = 1;
 
 Budget budget_of(gtsp::Mode mode) {
   switch (mode) {
@@ -55,7 +57,9 @@ class OrderSearch {
   std::string why_none() const;
   void solve_graph(int levels, const char* from);
   gtsp::Solution solve(const LayeredGraph& graph, bool warm) const;
-  void search_flight();
+  /// Whether the sub-cells come in the order of a tour, as lines of mixed direction do.
+  bool offer_cut();
+  void search_flight(std::uint64_t kicks_per_cell);
   void compare_with_full_graph(const GraphParams& params);
   StopCondition part_of_deadline(double share) const;
 
@@ -139,16 +143,25 @@ void OrderSearch::solve_graph(int levels, const char* from) {
   statistics_.gtsp_wall_s += now() - began;
 }
 
-/// The graph without levels where it would be too large to be made: its arcs only as they are asked for.
-void OrderSearch::search_flight() {
+bool OrderSearch::offer_cut() {
+  std::vector<Visit> as_cut;
+  for (std::size_t i = 0; i < cells_.size(); ++i) as_cut.push_back({i, false});
+  offer("tour of the cut", as_cut);
+  offer("strip order", boustrophedon_order(cells_, start_.position_m));
+  return cells_.size() > 1 && best_ == as_cut;
+}
+
+/// The graph without levels where it would be too large to be made, or the order is good already: its arcs
+/// only as they are asked for.
+void OrderSearch::search_flight(std::uint64_t kicks_per_cell) {
   const double began = now();
   ImproveParams params;
   params.aim = Aim::kFlight;
   params.stop = part_of_deadline(0.5);
-  params.kicks = budget_.flight_kicks * cells_.size();
+  params.kicks = kicks_per_cell * cells_.size();
   params.seed = options_.seed;
-  offer("flight search",
-        improve_order(cells_, boustrophedon_order(cells_, start_.position_m), start_, links_, params).visits);
+  std::vector<Visit> visits = best_.empty() ? boustrophedon_order(cells_, start_.position_m) : best_;
+  offer("flight search", improve_order(cells_, std::move(visits), start_, links_, params).visits);
   statistics_.gtsp_wall_s += now() - began;
 }
 
@@ -188,11 +201,13 @@ std::string OrderSearch::why_none() const {
 
 Result<Order> OrderSearch::run() {
   const int n = static_cast<int>(cells_.size());
-  offer("strip order", boustrophedon_order(cells_, start_.position_m));
-  if (1 + 2 * n <= budget_.plain_vertices) {
+  const bool is_quick = offer_cut() && options_.mode == gtsp::Mode::kFast;
+  if (is_quick) {
+    search_flight(kKicksOfTour);
+  } else if (1 + 2 * n <= budget_.plain_vertices) {
     solve_graph(1, "graph without levels");
   } else {
-    search_flight();
+    search_flight(budget_.flight_kicks);
   }
   const bool compares = options_.full_graph == FullGraph::kCompare;
   const bool recharges = needs_recharge();
@@ -207,6 +222,8 @@ Result<Order> OrderSearch::run() {
   if (best_.empty()) {
     return infeasible("No order of the sub-cells can be flown: " + why_none());
   }
+  // By flight alone it cannot be better, and nothing else counts.
+  if (is_quick && !recharges) return Order{std::move(best_), statistics_};
   ImproveParams params;
   params.stops = stop_params(task_, options_);
   params.stop = options_.stop;

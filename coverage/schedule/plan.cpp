@@ -125,6 +125,7 @@ FieldsCut cut_fields(const Task& task, const planner::Terrain& terrain, const Pl
     params.sensor_width_m = task.sensor_width_m;
     params.sweep_rad = task.sweep_rad;
     params.piece_cost_m = piece_cost_m(task);
+    params.turn = {planner::kStopToTurn_s * task.vehicle.cruise_speed_mps, task.vehicle.turn_max_rad};
     params.height_tolerance_m = task.height_tolerance_m;
     params.clearance_m = task.vehicle.clearance_m();
     params.rules = task.rules;

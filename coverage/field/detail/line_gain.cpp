@@ -10,17 +10,20 @@ constexpr double kShortest_m = 0.02;
 
 }  // namespace
 
-LineInView::LineInView(const Line& line, const Interval& limits, double width_m,
-                       const std::vector<Patch>& open)
-    : limits_(limits) {
-  const Band band{line, {limits.from - kInside_m, limits.to + kInside_m}, width_m / 2.0};
-  for (const Patch& patch : open) {
-    if (!may_meet(band, patch)) continue;
-    const BandPart part = part_in_band(patch, band);
-    if (part.area_m2 > 0.0) seen_.push_back({part.extent, part.area_m2});
+LineInView::LineInView(const Line& line, const Interval& limits, double width_m)
+    : band_{line, {limits.from - kInside_m, limits.to + kInside_m}, width_m / 2.0}, limits_(limits) {}
+
+void LineInView::look(const OpenGround& ground) {
+  const std::vector<Patch>& patches = ground.patches();
+  std::erase_if(seen_, [&](const Seen& seen) { return !ground.is_open(seen.patch); });
+  for (; looked_ < patches.size(); ++looked_) {
+    if (!ground.is_open(looked_) || !may_meet(band_, patches[looked_])) continue;
+    const BandPart part = part_in_band(patches[looked_], band_);
+    if (part.area_m2 > 0.0) seen_.push_back({part.extent, part.area_m2, looked_});
   }
-  std::sort(seen_.begin(), seen_.end(),
-            [](const Seen& a, const Seen& b) { return a.extent.from < b.extent.from; });
+  std::sort(seen_.begin(), seen_.end(), [](const Seen& a, const Seen& b) {
+    return a.extent.from != b.extent.from ? a.extent.from < b.extent.from : a.patch < b.patch;
+  });
 }
 
 LineGain LineInView::limited(LineGain gain) const {

@@ -12,11 +12,13 @@ struct LineGain {
   Interval stretch;
 };
 
-/// What is seen of open ground from a line between two limits.
+/// What is seen of open ground from a line between two limits. It remembers what it saw: looking again takes
+/// only what has changed.
 class LineInView {
  public:
-  LineInView(const Line& line, const Interval& limits, double width_m, const std::vector<Patch>& open);
+  LineInView(const Line& line, const Interval& limits, double width_m);
 
+  void look(const OpenGround& ground);
   /// As a piece of its own; what lies farther apart than a piece costs makes two.
   LineGain flown(double piece_cost_m) const;
   /// As a piece from 0 to `length_m` that is there anyway, drawn on at one of its ends; the stretch includes
@@ -29,8 +31,11 @@ class LineInView {
   struct Seen {
     Interval extent;
     double area_m2;
+    std::size_t patch;
   };
+  Band band_;
   Interval limits_;
+  std::size_t looked_ = 0;  ///< patches of the ground
   std::vector<Seen> seen_;  ///< by where it begins
 };
 

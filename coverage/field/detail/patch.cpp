@@ -30,21 +30,6 @@ void measure(Patch& patch) {
   patch.area_m2 = twice / 2.0;
 }
 
-/// Points with normal · p ≤ limit.
-struct HalfPlane {
-  Vec2 normal;
-  double limit;
-};
-
-std::array<HalfPlane, 4> half_planes(const Band& band) {
-  const Vec2& along = band.line.along;
-  const Vec2 left(-along.y(), along.x());
-  const double at = along.dot(band.line.origin_m);
-  const double side = left.dot(band.line.origin_m);
-  return {HalfPlane{left, side + band.half_width_m}, HalfPlane{-left, -side + band.half_width_m},
-          HalfPlane{along, at + band.along.to}, HalfPlane{-along, -at - band.along.from}};
-}
-
 /// Rounding may make a patch a little concave, so that a line crosses it more than twice.
 void add(const Vec2& corner, Patch& patch) {
   if (patch.size < Patch::kMostCorners) patch.corners[patch.size++] = corner;
@@ -104,12 +89,12 @@ bool is_beyond(const Patch& patch, const HalfPlane& plane) {
   return true;
 }
 
-bool is_beyond(const Patch& patch, const std::array<HalfPlane, 4>& planes) {
+bool is_beyond(const Patch& patch, const Planes& planes) {
   return std::any_of(planes.begin(), planes.end(),
                      [&](const HalfPlane& plane) { return is_beyond(patch, plane); });
 }
 
-void subtract_one(const std::array<HalfPlane, 4>& planes, const Patch& patch, std::vector<Patch>& out) {
+void subtract_one(const Planes& planes, const Patch& patch, std::vector<Patch>& out) {
   if (is_beyond(patch, planes)) {
     out.push_back(patch);
     return;
@@ -189,6 +174,15 @@ struct Crossing {
 
 bool may_meet(const Band& a, const Band& b) { return overlaps_along(a, b) && overlaps_along(b, a); }
 
+Planes planes_of(const Band& band) {
+  const Vec2& along = band.line.along;
+  const Vec2 left(-along.y(), along.x());
+  const double at = along.dot(band.line.origin_m);
+  const double side = left.dot(band.line.origin_m);
+  return {HalfPlane{left, side + band.half_width_m}, HalfPlane{-left, -side + band.half_width_m},
+          HalfPlane{along, at + band.along.to}, HalfPlane{-along, -at - band.along.from}};
+}
+
 Band band_of(const Segment& segment, double width_m) {
   return {line_through(segment.from_m, segment.to_m),
           {-kInside_m, segment.length_m() + kInside_m},
@@ -251,10 +245,10 @@ std::vector<Patch> patches_of(const Polygon& polygon) {
 }
 
 std::vector<Patch> within(const std::vector<Patch>& patches, const Band& band) {
-  const std::array<HalfPlane, 4> planes = half_planes(band);
+  const Planes planes = planes_of(band);
   std::vector<Patch> out;
   for (const Patch& patch : patches) {
-    if (is_beyond(patch, planes)) continue;
+    if (!may_meet(band, patch) || is_beyond(patch, planes)) continue;
     Patch now = patch;
     Patch inside;
     Patch outside;
@@ -268,12 +262,40 @@ std::vector<Patch> within(const std::vector<Patch>& patches, const Band& band) {
   return out;
 }
 
-void subtract(const Band& band, std::vector<Patch>& patches) {
-  const std::array<HalfPlane, 4> planes = half_planes(band);
-  std::vector<Patch> out;
-  out.reserve(patches.size() + 8);
-  for (const Patch& patch : patches) subtract_one(planes, patch, out);
-  patches = std::move(out);
+void add_remains(const Patch& patch, std::span<const Planes* const> bands, std::vector<Patch>& out) {
+  for (std::size_t i = 0; i < bands.size(); ++i) {
+    if (is_beyond(patch, *bands[i])) continue;
+    std::vector<Patch> parts;
+    subtract_one(*bands[i], patch, parts);
+    for (const Patch& part : parts) add_remains(part, bands.subspan(i + 1), out);
+    return;
+  }
+  out.push_back(patch);
+}
+
+void OpenGround::subtract(const Band& band) {
+  const Planes planes = planes_of(band);
+  const std::size_t count = patches_.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    if (open_[i] == 0 || is_beyond(patches_[i], planes)) continue;
+    open_[i] = 0;
+    const Patch patch = patches_[i];
+    subtract_one(planes, patch, patches_);
+  }
+  open_.resize(patches_.size(), 1);
+}
+
+double OpenGround::area_m2() const {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < patches_.size(); ++i) sum += open_[i] != 0 ? patches_[i].area_m2 : 0.0;
+  return sum;
+}
+
+double OpenGround::area_near(const Band& band) const {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < patches_.size(); ++i)
+    sum += open_[i] != 0 && may_meet(band, patches_[i]) ? patches_[i].area_m2 : 0.0;
+  return sum;
 }
 
 BandPart part_in_band(const Patch& patch, const Band& band) {
@@ -304,12 +326,6 @@ BandPart part_in_band(const Patch& patch, const Band& band) {
   }
   out.area_m2 = twice / 2.0;
   return out;
-}
-
-double area_near(const Band& band, const std::vector<Patch>& patches) {
-  double sum = 0.0;
-  for (const Patch& patch : patches) sum += may_meet(band, patch) ? patch.area_m2 : 0.0;
-  return sum;
 }
 
 double area_m2(const std::vector<Patch>& patches) {

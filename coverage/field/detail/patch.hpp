@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <span>
 #include <vector>
 
 #include "coverage/field/detail/lines.hpp"
@@ -36,6 +37,15 @@ inline bool may_meet(const Band& band, const Patch& patch) {
 /// As seen_from: kInside_m beyond the segment's ends.
 Band band_of(const Segment& segment, double width_m);
 
+/// A half-plane: the points with normal · p ≤ limit.
+struct HalfPlane {
+  Vec2 normal = Vec2::Zero();
+  double limit = 0.0;
+};
+/// Whose intersection a band is.
+using Planes = std::array<HalfPlane, 4>;
+Planes planes_of(const Band& band);
+
 /// The polygon as trapezoids between the heights of its vertices.
 std::vector<Patch> patches_of(const Polygon& polygon);
 
@@ -44,14 +54,29 @@ bool may_meet(const Band& a, const Band& b);
 
 /// What of the patches lies in the band.
 std::vector<Patch> within(const std::vector<Patch>& patches, const Band& band);
-/// Takes the band away from the patches.
-void subtract(const Band& band, std::vector<Patch>& patches);
+/// What is left of a patch without the bands, added to `out`.
+void add_remains(const Patch& patch, std::span<const Planes* const> bands, std::vector<Patch>& out);
+
+/// Ground that is still to be seen. Patches keep their places: what a band cuts is closed, what is left of it
+/// comes after all others, so that who has looked at the first of them need only look at the rest.
+class OpenGround {
+ public:
+  explicit OpenGround(std::vector<Patch> patches) : patches_(std::move(patches)), open_(patches_.size(), 1) {}
+
+  void subtract(const Band& band);
+  const std::vector<Patch>& patches() const { return patches_; }
+  bool is_open(std::size_t patch) const { return open_[patch] != 0; }
+  double area_m2() const;
+  /// Of the open patches that the band may meet, told by their circles.
+  double area_near(const Band& band) const;
+
+ private:
+  std::vector<Patch> patches_;
+  std::vector<char> open_;
+};
 
 /// Area of a patch in the band and its extent along the line.
 BandPart part_in_band(const Patch& patch, const Band& band);
-
-/// Of the patches that the band may meet, told by their circles.
-double area_near(const Band& band, const std::vector<Patch>& patches);
 
 double area_m2(const std::vector<Patch>& patches);
 
