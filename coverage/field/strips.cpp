@@ -28,7 +28,8 @@ struct Rounds {
   int per_piece;
   int most;
 };
-constexpr Rounds kRounds{5, 200};
+constexpr Rounds kRounds{10, 300};
+constexpr int kLeastRounds = 40;
 constexpr Rounds kRoundsAmongHoles{40, 1500};
 /// Of what a piece costs by itself, what it costs in a tour: not every turn is sharp enough for a stop.
 constexpr double kInTour = 0.7;
@@ -206,7 +207,7 @@ Strips mixed(const StripParams& params, Lines lines) {
   search.turn = params.turn;
   search.allowed_m2 = lines.allowed_m2;
   const Rounds& rounds = lines.turned.holes.empty() ? kRounds : kRoundsAmongHoles;
-  search.rounds = std::min(rounds.most, rounds.per_piece * static_cast<int>(pieces.size()));
+  search.rounds = std::clamp(rounds.per_piece * static_cast<int>(pieces.size()), kLeastRounds, rounds.most);
   lines.uncovered_m2 += detail::search_lines(lines.turned, search, pieces);
   int number = 0;
   for (const detail::Segment& piece : pieces) number = std::max(number, piece.strip + 1);

@@ -22,6 +22,8 @@ struct Budget {
 constexpr int kComparedVertices = 1700;
 /// Kicks per sub-cell of the search by flight alone that begins with the cut's own tour.
 constexpr std::uint64_t kKicksOfTour = 1;
+/// Fewer sub-cells are ordered exactly as quickly.
+constexpr std::size_t kLeastInTour = 16;
 
 Budget budget_of(gtsp::Mode mode) {
   switch (mode) {
@@ -148,7 +150,7 @@ bool OrderSearch::offer_cut() {
   for (std::size_t i = 0; i < cells_.size(); ++i) as_cut.push_back({i, false});
   offer("tour of the cut", as_cut);
   offer("strip order", boustrophedon_order(cells_, start_.position_m));
-  return cells_.size() > 1 && best_ == as_cut;
+  return cells_.size() >= kLeastInTour && best_ == as_cut;
 }
 
 /// The graph without levels where it would be too large to be made, or the order is good already: its arcs
