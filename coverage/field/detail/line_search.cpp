@@ -21,6 +21,8 @@ constexpr double kTakenInTour = 0.6;
 constexpr double kTemperature = 0.3;
 /// Finding lines a place in the tour and drawing them in saves no more than so many pieces cost.
 constexpr double kSaved = 5.0;
+/// What it costs to lose a square metre, though it may be lost: no gap pays only for being somewhat nearer.
+constexpr double kLost_m = 10.0;
 constexpr double kBetter_m = 1e-6;
 constexpr double kNothing_m2 = 1e-6;
 
@@ -35,6 +37,8 @@ std::vector<PiecePtr>::const_iterator piece_in(const Cover& cover, int number) {
   return std::find_if(cover.pieces.begin(), cover.pieces.end(),
                       [&](const PiecePtr& piece) { return piece->number == number; });
 }
+
+double cost_of(const Cover& cover) { return cover.tour.cost_m() + kLost_m * cover.lost_m2; }
 
 class LineSearch {
  public:
@@ -77,7 +81,7 @@ LineSearch::LineSearch(const Polygon& polygon, const LineSearchParams& params,
   }
   draw_in(now_, now_.pieces);
   now_.tour.improve();
-  now_.cost_m = now_.tour.cost_m();
+  now_.cost_m = cost_of(now_);
 }
 
 /// The shorter of two: it costs more for what it sees. With it its nearest, or those flown after it.
@@ -246,7 +250,7 @@ std::optional<Cover> LineSearch::neighbour(double worse_m) {
       [&](const PiecePtr& piece) { return std::find(kept.begin(), kept.end(), piece) == kept.end(); });
   draw_in(next, around);
   next.tour.improve();
-  next.cost_m = next.tour.cost_m();
+  next.cost_m = cost_of(next);
   if (next.cost_m > now_.cost_m + worse_m) return std::nullopt;
   return next;
 }
