@@ -8,6 +8,8 @@ namespace swallowtail::coverage::detail {
 namespace {
 
 constexpr double kBetter_m = 1e-6;
+/// Of an improvement, per leg.
+constexpr std::size_t kMostSteps = 8;
 /// Shorter ways are not asked for what is in their way: lines end so near to borders.
 constexpr double kSurelyFree_m = 0.5;
 /// What a blocked way costs more, as share of its length and of a stop.
@@ -230,11 +232,14 @@ bool LineTour::improve_at(std::size_t at) {
 }
 
 void LineTour::improve() {
-  while (!touched_.empty()) {
+  // Ways that graze a border may be free one way round only, so that two tours seem better than each other.
+  std::size_t steps = kMostSteps * (legs_.size() + 1);
+  while (!touched_.empty() && steps-- > 0) {
     const int line = touched_.back();
     const std::size_t at = place_of(line);
     if (at == legs_.size() || !improve_at(at)) touched_.pop_back();
   }
+  touched_.clear();
 }
 
 }  // namespace swallowtail::coverage::detail
