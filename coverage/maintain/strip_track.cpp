@@ -28,10 +28,10 @@ bool StripTrack::on_line(const Vec3& position_m) const {
 }
 
 void StripTrack::add(double time_s, const Vec3& position_m) {
-  const Sample now{time_s, along_m(position_m), on_line(position_m), position_m};
+  const Sample now{time_s, along_m(position_m), on_line(position_m)};
   if (last_ && now.time_s <= last_->time_s) return;
   ++samples_;
-  if (last_) largest_move_m_ = std::max(largest_move_m_, (position_m - last_->position_m).norm());
+  if (last_) largest_move_m_ = std::max(largest_move_m_, std::abs(now.along_m - last_->along_m));
   if (now.good) {
     seen_ = true;
     Gap piece{now.along_m, now.along_m};

@@ -48,7 +48,6 @@ class StripTrack {
     double time_s;
     double along_m;
     bool good;
-    Vec3 position_m;
   };
   std::vector<Gap> merged() const;
 
@@ -57,7 +56,7 @@ class StripTrack {
   TrackParams params_;
   std::optional<Sample> last_;
   double longest_step_m_ = 0.0;
-  double largest_move_m_ = 0.0;  ///< between two positions, on the line or off
+  double largest_move_m_ = 0.0;  ///< along the leg between two positions, on the line or off
   int samples_ = 0;
   bool seen_ = false;
   std::vector<Gap> flown_;

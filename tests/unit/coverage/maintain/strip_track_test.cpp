@@ -39,6 +39,15 @@ TEST_F(Track, ADetourLeavesItsStretch) {
   EXPECT_NEAR(track.flown_from_entry_m(), 40.0, 1.0);
 }
 
+TEST_F(Track, AShortLegPassedFarAsideIsMissing) {
+  leg_.exit_m = Vec3(10, 0, 20);
+  StripTrack track(leg_, {});
+  track.add(0.05, Vec3(0, 0, 50));
+  fly(track, 0.0, 10.0, -1.0, 11.0, 20.0);
+  ASSERT_EQ(track.gaps().size(), 1U);
+  EXPECT_NEAR(track.gaps()[0].to_m - track.gaps()[0].from_m, 10.0, 1e-9);
+}
+
 TEST_F(Track, SidewaysByLessThanHalfAMetreCounts) {
   StripTrack track(leg_, {});
   fly(track, 0.0, 100.0, 40.0, 60.0, 0.4);
