@@ -137,7 +137,19 @@ bool Descent::accept(std::size_t first, double gain_s) {
   return true;
 }
 
-/// Turns the stretch first … last round: only its two outer hops change.
+/// Less flight between the visits of a stretch, its ends included, once it is turned round: wind, climbs and
+/// descents make a hop differ from its way back. A schedule is judged as a whole instead.
+double Descent::turning_gain_s(std::size_t first, std::size_t last) {
+  double gain = 0.0;
+  for (std::size_t i = first; i < last && !value_; ++i) {
+    const Visit from = turned(visits_[i + 1]);
+    const Visit to = turned(visits_[i]);
+    gain += hop_s(at(i), at(i + 1)) - hop_s(&from, &to);
+  }
+  return gain;
+}
+
+/// Turns the stretch first … last round.
 bool Descent::try_reversal(std::size_t first, std::size_t last) {
   if (first < params_.first_free || last >= visits_.size() || first > last) return false;
   const Visit head = turned(visits_[last]);
@@ -146,7 +158,9 @@ bool Descent::try_reversal(std::size_t first, std::size_t last) {
   if (!is_worth_it(now - least_hop_s(before(first), &head) - least_hop_s(&tail, at(last + 1)),
                    last - first + 1))
     return false;
-  const double gain = now - hop_s(before(first), &head) - hop_s(&tail, at(last + 1));
+  double gain = now - hop_s(before(first), &head) - hop_s(&tail, at(last + 1));
+  if (!is_worth_it(gain, last - first + 1)) return false;
+  gain += turning_gain_s(first, last);
   if (!is_worth_it(gain, last - first + 1)) return false;
   candidate_.assign(visits_.begin() + static_cast<std::ptrdiff_t>(first),
                     visits_.begin() + static_cast<std::ptrdiff_t>(last) + 1);
@@ -171,7 +185,8 @@ bool Descent::try_move(std::size_t first, std::size_t count, std::size_t to, Tur
   const double least =
       least_hop_s(before(first), at(past)) + least_hop_s(before(to), &head) + least_hop_s(&tail, at(to));
   if (!is_worth_it(now - least, end - begin)) return false;
-  const double gain = now - hop_s(before(first), at(past)) - hop_s(before(to), &head) - hop_s(&tail, at(to));
+  double gain = now - hop_s(before(first), at(past)) - hop_s(before(to), &head) - hop_s(&tail, at(to));
+  if (turn == Turn::kYes) gain += turning_gain_s(first, past - 1);
   if (!is_worth_it(gain, end - begin)) return false;
   const auto place = [this](std::size_t i) { return visits_.begin() + static_cast<std::ptrdiff_t>(i); };
   candidate_.clear();

@@ -39,6 +39,7 @@ class Descent {
   bool improve_ends(std::size_t cell);
   bool improve_exit(std::size_t cell, const NearSites::Near& near);
   bool improve_entry(std::size_t cell, const NearSites::Near& near);
+  double turning_gain_s(std::size_t first, std::size_t last);
   bool try_reversal(std::size_t first, std::size_t last);
   enum class Turn : std::uint8_t { kNo, kYes };
   bool try_move(std::size_t first, std::size_t count, std::size_t to, Turn turn);

@@ -118,7 +118,7 @@ ReplayTask random_replay_task(std::uint64_t seed) {
   task.vehicle.climb_speed_mps = rng.uniform(1.0, 5.0);
   task.vehicle.descent_speed_mps = rng.uniform(1.0, 5.0);
   task.vehicle.turn_max_rad = rng.uniform(0.3, 2.0);
-  task.battery.capacity = rng.uniform(60.0, 200.0);
+  task.battery.capacity = rng.uniform(60.0, 180.0);
   task.battery.reserve = rng.uniform(2.0, 10.0);
   task.battery.levels = rng.uniform() < 0.05 ? 10 : 1 + static_cast<int>(rng.below(4));
   task.battery.charge_s_per_unit = rng.uniform(0.2, 3.0);
