@@ -89,6 +89,12 @@ class RawWriter {
     RawSample raw{std::move(bytes), fast::handle_of(key)};
     return writer_->write(&raw);
   }
+  /// That the writer knows of.
+  int readers() const {
+    eprosima::fastdds::dds::PublicationMatchedStatus status;
+    writer_->get_publication_matched_status(status);
+    return status.current_count;
+  }
 
  private:
   std::shared_ptr<fast::Participant> participant_;

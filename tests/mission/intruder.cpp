@@ -94,6 +94,12 @@ void Intruder::write_battery_above_the_task() {
   writers_->batteries.write(battery(kOurs, kAboveTheTask, 2.0 * kAboveTheTask));
 }
 
+bool Intruder::is_heard_by_the_recorder() const {
+  // Besides it: the planner; the participants that judge states, and the test itself; coverage and charger.
+  return writers_->obstacles.readers() >= 2 && writers_->vehicles.readers() >= 5 &&
+         writers_->batteries.readers() >= 3;
+}
+
 std::vector<Refusal> Intruder::expected() {
   using enum data::ParticipantId;
   const std::string nowhere = "position out of range";

@@ -26,6 +26,9 @@ class Intruder {
   /// A battery of the mission's vehicle, sound in itself, with more than the task allows.
   void write_battery_above_the_task();
 
+  /// All of a mission's readers know of the writers, so the recorder's do too.
+  bool is_heard_by_the_recorder() const;
+
   /// Who must count what.
   static std::vector<Refusal> expected();
 
