@@ -80,6 +80,18 @@ void add_field_totals(Plan& plan) {
   plan.covered_percent = plan.area_m2 > 0.0 ? 100.0 * covered / plan.area_m2 : 0.0;
 }
 
+/// But those that another field lies in.
+void add_holes(std::span<const Polygon> parts, std::span<const Polygon> fields, std::vector<Polygon>& out) {
+  for (const Polygon& part : parts) {
+    for (const Ring& hole : part.holes) {
+      const bool holds_field = std::any_of(fields.begin(), fields.end(), [&](const Polygon& field) {
+        return contains(hole, field.outline.front());
+      });
+      if (!holds_field) out.push_back({Ring(hole.rbegin(), hole.rend()), {}});
+    }
+  }
+}
+
 }  // namespace
 
 Status validate(const Task& task) {
@@ -113,7 +125,15 @@ StopParams stop_params(const Task& task, const PlanOptions& options) {
 }
 
 Ways ways_of(const Task& task, std::span<const Polygon> polygons) {
-  return Ways(polygons, no_fly_areas(task));
+  std::vector<Polygon> barred = no_fly_areas(task);
+  // A hole that a no-fly area joins to the ground around is no polygon's any more.
+  if (!barred.empty()) {
+    for (const Field& field : task.fields) {
+      const auto parts = clean(field.polygon);
+      if (parts) add_holes(*parts, polygons, barred);
+    }
+  }
+  return Ways(polygons, barred);
 }
 
 FieldsCut cut_fields(const Task& task, const planner::Terrain& terrain, const PlanOptions& options) {

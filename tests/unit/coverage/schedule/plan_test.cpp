@@ -161,5 +161,29 @@ TEST(Plan, ADeadlineInThePastStillGivesAPlan) {
   EXPECT_EQ(plan->legs.size(), 12U);
 }
 
+TEST(WaysOf, GoRoundAHoleThatANoFlyAreaJoinsToTheOutside) {
+  Task task;
+  task.fields = {
+      {1, "holed", {{{0, 0}, {100, 0}, {100, 50}, {0, 50}}, {{{40, 5}, {40, 20}, {60, 20}, {60, 5}}}}, 20.0}};
+  task.no_fly = {{{{45, -20}, {55, -20}, {55, 10}, {45, 10}}, {}}};
+  const std::vector<Polygon> cut{{{{0, 0},
+                                   {45, 0},
+                                   {45, 5},
+                                   {40, 5},
+                                   {40, 20},
+                                   {60, 20},
+                                   {60, 5},
+                                   {55, 5},
+                                   {55, 0},
+                                   {100, 0},
+                                   {100, 50},
+                                   {0, 50}},
+                                  {}}};
+  const Ways ways = ways_of(task, cut);
+  EXPECT_FALSE(ways.is_free({30, -5}, {58, 15}));
+  EXPECT_FALSE(ways.is_free({57, -5}, {57, 60}));
+  EXPECT_TRUE(ways.is_free({65, -5}, {65, 60}));
+}
+
 }  // namespace
 }  // namespace swallowtail::coverage
