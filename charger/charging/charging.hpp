@@ -163,6 +163,7 @@ class Charging {
   double missing_energy(const Inputs& inputs) const;
   void approach(const Inputs& inputs, double duration_s);
   void drive(const Way& way, const Vec3& target_m, double duration_s);
+  double speed_on(const Way& way) const;
   double way_s(const Way& way, double length_m) const;
   double for_the_way_home(const Meeting& meeting) const;
   double needs(const Meeting& meeting) const;

@@ -22,13 +22,14 @@ double length_m(const Vec3& from_m, const std::vector<Vec3>& bends_m, const Vec3
 
 }  // namespace
 
-double Charging::way_s(const Way& way, double length_m) const {
-  const double speed = way.speed_mps > 0.0 ? std::min(way.speed_mps, orders_.speed_mps) : orders_.speed_mps;
-  return length_m / speed;
+double Charging::speed_on(const Way& way) const {
+  return way.speed_mps > 0.0 ? std::min(way.speed_mps, orders_.speed_mps) : orders_.speed_mps;
 }
 
+double Charging::way_s(const Way& way, double length_m) const { return length_m / speed_on(way); }
+
 void Charging::drive(const Way& way, const Vec3& target_m, double duration_s) {
-  const double speed = way.speed_mps > 0.0 ? std::min(way.speed_mps, orders_.speed_mps) : orders_.speed_mps;
+  const double speed = speed_on(way);
   drive_.follow(way.bends_m, target_m, speed, duration_s);
   own_.drive(duration_s * drive_.speed_mps() / speed);
 }

@@ -132,6 +132,7 @@ struct Lines {
   double uncovered_m2 = 0.0;
   double allowed_m2 = 0.0;  ///< may become uncovered besides
 
+  /// Metres of flight with piece_cost_m for each piece.
   double cost_m(double piece_cost_m) const {
     double cost = 0.0;
     for (const detail::Segment& piece : cut.pieces) cost += piece.length_m() + piece_cost_m;
@@ -218,12 +219,6 @@ Strips mixed(const StripParams& params, Lines lines) {
 }
 
 }  // namespace
-
-double Strips::cost_m(double piece_cost_m) const {
-  double cost = 0.0;
-  for (const Piece& piece : pieces) cost += (piece.to_m - piece.from_m).norm() + piece_cost_m;
-  return cost;
-}
 
 Status validate(const StripParams& params) {
   if (!is_positive(params.sensor_width_m))

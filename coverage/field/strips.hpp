@@ -37,9 +37,6 @@ struct Strips {
   double width_m = 0.0;  ///< of each strip, ≤ the sensor's
   std::vector<Piece> pieces;
   double uncovered_m2 = 0.0;  ///< what no line inside the field sees, or what is too little to be worth one
-
-  /// Metres of flight with piece_cost_m for each piece.
-  double cost_m(double piece_cost_m) const;
 };
 
 inline constexpr int kMaxStrips = 4096;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <limits>
 #include <queue>
 
@@ -26,6 +27,12 @@ double most_corners(const std::vector<Ring>& rings) {
   return std::clamp(std::sqrt(kMostLooks / edges), 400.0, 1600.0);
 }
 
+bool lies_in(const Polygon& field, const Polygon& hole) {
+  return std::ranges::all_of(field.outline, [&](const Vec2& corner) {
+    return contains(hole, corner) || border_distance_m(hole, corner) < kTouch_m;
+  });
+}
+
 }  // namespace
 
 /// Free ground bounded by rings; to the left of every ring it is free.
@@ -34,7 +41,7 @@ class Ways::Domain {
   enum class Free { kInside, kOutside };
 
   Domain(std::vector<Ring> rings, Free free) : rings_(std::move(rings)), free_(free) {
-    for (const Ring& ring : rings_) boxes_.push_back(box_of(ring));
+    for (const Ring& ring : rings_) boxes_.push_back(bounds_of(ring));
     const double most = most_corners(rings_);
     double tolerance = 0.0;
     do {
@@ -55,7 +62,6 @@ class Ways::Domain {
     std::vector<int> before;  ///< −1: the place itself
   };
 
-  static Box box_of(const Ring& ring);
   void add_nodes(const Ring& ring, double tolerance_m);
   const View& view_of(const Vec2& place) const;
   void see_each_other() const;
@@ -68,12 +74,6 @@ class Ways::Domain {
   mutable std::map<std::pair<double, double>, View> views_;
   mutable std::vector<double> crossings_;
 };
-
-Box Ways::Domain::box_of(const Ring& ring) {
-  Box out{ring.front(), ring.front()};
-  for (const Vec2& at : ring) out = {out.lo.cwiseMin(at), out.hi.cwiseMax(at)};
-  return out;
-}
 
 /// Corners where the free ground spans more than half a turn.
 void Ways::Domain::add_nodes(const Ring& ring, double tolerance_m) {
@@ -190,6 +190,19 @@ std::vector<Vec2> Ways::Domain::corners(const Vec2& from, const Vec2& to) const 
   return out;
 }
 
+std::vector<Polygon> holes_without_fields(std::span<const Polygon> polygons,
+                                          std::span<const Polygon> fields) {
+  std::vector<Polygon> out;
+  for (const Polygon& polygon : polygons) {
+    for (const Ring& ring : polygon.holes) {
+      Polygon hole{Ring(ring.rbegin(), ring.rend()), {}};
+      if (std::ranges::none_of(fields, [&](const Polygon& field) { return lies_in(field, hole); }))
+        out.push_back(std::move(hole));
+    }
+  }
+  return out;
+}
+
 Ways::Ways() = default;
 Ways::~Ways() = default;
 Ways::Ways(Ways&&) noexcept = default;
@@ -197,16 +210,11 @@ Ways& Ways::operator=(Ways&&) noexcept = default;
 
 Ways::Ways(std::span<const Polygon> fields, std::span<const Polygon> no_fly) {
   std::vector<Polygon> solid(no_fly.begin(), no_fly.end());
+  std::ranges::move(holes_without_fields(fields, fields), std::back_inserter(solid));
   for (const Polygon& field : fields) {
     std::vector<Ring> rings = field.holes;
     rings.push_back(field.outline);
     rooms_.push_back(std::make_unique<Domain>(std::move(rings), Domain::Free::kInside));
-    for (const Ring& hole : field.holes) {
-      const bool holds_field = std::any_of(fields.begin(), fields.end(), [&](const Polygon& other) {
-        return &other != &field && contains(hole, other.outline.front());
-      });
-      if (!holds_field) solid.push_back({Ring(hole.rbegin(), hole.rend()), {}});
-    }
   }
   std::vector<Ring> rings;
   const auto add = [&rings](Ring ring, bool counter_clockwise) {

@@ -12,6 +12,9 @@
 
 namespace swallowtail::coverage {
 
+/// The polygons' holes, but those that one of the fields lies in.
+std::vector<Polygon> holes_without_fields(std::span<const Polygon> polygons, std::span<const Polygon> fields);
+
 /// Shortest ways in the plane that leave holes and no-fly areas aside. Between two places of one field the
 /// way stays inside that field; between others it may cross open ground, but no hole and no no-fly area.
 /// Visibility graph over the corners that a taut string can bend at, pushed 2 cm off the border; each place's

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "coverage/field/places.hpp"
@@ -80,18 +81,6 @@ void add_field_totals(Plan& plan) {
   plan.covered_percent = plan.area_m2 > 0.0 ? 100.0 * covered / plan.area_m2 : 0.0;
 }
 
-/// But those that another field lies in.
-void add_holes(std::span<const Polygon> parts, std::span<const Polygon> fields, std::vector<Polygon>& out) {
-  for (const Polygon& part : parts) {
-    for (const Ring& hole : part.holes) {
-      const bool holds_field = std::any_of(fields.begin(), fields.end(), [&](const Polygon& field) {
-        return contains(hole, field.outline.front());
-      });
-      if (!holds_field) out.push_back({Ring(hole.rbegin(), hole.rend()), {}});
-    }
-  }
-}
-
 }  // namespace
 
 Status validate(const Task& task) {
@@ -130,7 +119,8 @@ Ways ways_of(const Task& task, std::span<const Polygon> polygons) {
   if (!barred.empty()) {
     for (const Field& field : task.fields) {
       const auto parts = clean(field.polygon);
-      if (parts) add_holes(*parts, polygons, barred);
+      if (!parts) continue;
+      std::ranges::move(holes_without_fields(*parts, polygons), std::back_inserter(barred));
     }
   }
   return Ways(polygons, barred);

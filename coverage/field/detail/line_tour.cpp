@@ -16,8 +16,6 @@ constexpr double kSurelyFree_m = 0.5;
 constexpr double kDetourLength = 0.3;
 constexpr double kDetourStops = 0.5;
 
-double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
-
 bool crosses(const Ring& ring, const Vec2& from, const Vec2& to) {
   const Vec2 way = to - from;
   double before = cross(way, ring.back() - from);

@@ -7,6 +7,9 @@
 /// Straight lines through polygons and what a sensor sees from them.
 namespace swallowtail::coverage::detail {
 
+/// Positive where b is left of a.
+inline double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
+
 struct Segment {
   Vec2 from_m = Vec2::Zero();
   Vec2 to_m = Vec2::Zero();

@@ -13,8 +13,6 @@ namespace {
 constexpr double kNothing_m2 = 1e-5;
 constexpr double kSlab_m = 1e-9;
 
-double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
-
 void measure(Patch& patch) {
   Vec2 lo = patch.corners[0];
   Vec2 hi = lo;
