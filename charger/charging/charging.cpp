@@ -101,8 +101,8 @@ Status Charging::set_orders(Orders orders) {
 }
 
 const State& Charging::step(double time_s, const Inputs& inputs) {
-  const double duration_s = time_s - state_.time_s;
-  if (!(duration_s >= 0.0)) return state_;
+  if (!(time_s >= state_.time_s)) return state_;
+  const double duration_s = std::min(time_s - state_.time_s, kLongestStep_s);
   state_.time_s = time_s;
   suffer_losses();
   account_for_delivery(inputs, duration_s);

@@ -99,6 +99,8 @@ enum class Activity : std::uint8_t {
   kRefilling
 };
 
+/// Whoever was not stepped for longer stood still and charged nothing since.
+inline constexpr double kLongestStep_s = 5.0;
 /// How near to the robot a landed vehicle must stand to be taken on board.
 inline constexpr double kDocking_m = 1.0;
 /// Charging ends this little below what was asked for, so that it never goes above.
@@ -138,7 +140,8 @@ class Charging {
   Status set_orders(Orders orders);
 
   /// Goes on to mission time `time_s`; a time before the last one changes nothing. At most one change of
-  /// activity that waits for nothing else happens per call.
+  /// activity that waits for nothing else happens per call, and no more than kLongestStep_s of driving and
+  /// charging.
   const State& step(double time_s, const Inputs& inputs);
 
   const State& state() const { return state_; }

@@ -215,7 +215,8 @@ void Aircraft::ride(double duration_s) {
 }
 
 double Aircraft::charge_rate() const {
-  return motion_.mode == VehicleMode::kDocked && charger_ ? charger_->charge_rate : 0.0;
+  const bool is_plugged = motion_.mode == VehicleMode::kDocked && charger_;
+  return is_plugged && motion_.time_s - charger_->time_s <= kPlugSilence_s ? charger_->charge_rate : 0.0;
 }
 
 }  // namespace swallowtail::sim

@@ -52,6 +52,7 @@ class Aircraft {
   static constexpr double kTouchDown_m = 0.3;  ///< on the ground at or below this height
   static constexpr double kLegEnd_m = 1.5;     ///< a waypoint this near to a leg's exit is its end
   static constexpr double kDockReach_m = 3.0;
+  static constexpr double kPlugSilence_s = 5.0;
 
   Aircraft(std::uint32_t vehicle_id, const Vec3& start_m, planner::Terrain terrain);
 
@@ -74,7 +75,8 @@ class Aircraft {
   const std::vector<Motion>& corners() const { return corners_; }
   /// What the last `advance` flew in phase cover, cut at waypoints.
   const std::vector<Stretch>& covered() const { return covered_; }
-  /// Units per second from the charger's plug, 0 when not docked.
+  /// Units per second from the charger's plug; 0 when not docked, and when the charger is silent for
+  /// kPlugSilence_s.
   double charge_rate() const;
 
  private:

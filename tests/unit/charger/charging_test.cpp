@@ -267,6 +267,23 @@ TEST(Charging, IgnoresTimeThatGoesBack) {
   EXPECT_EQ(after.position_m, before.position_m);
 }
 
+TEST(Charging, StoodStillWhileItWasNotStepped) {
+  Meet meet(two_meetings());
+  meet.partner.fly_off();
+  meet.run(2.0);
+  const Vec3 before_m = meet.charging.state().position_m;
+  meet.step(300.0);
+  EXPECT_NEAR((meet.charging.state().position_m - before_m).norm(), 2.0 * kLongestStep_s, 1e-6);
+  ASSERT_TRUE(meet.reaches(Activity::kWaiting));
+  meet.partner.land_at({40, 0, 0});
+  ASSERT_TRUE(meet.reaches(Activity::kCharging));
+  meet.run(7.0);
+  const State charging = meet.charging.state();
+  ASSERT_GT(charging.charge_rate, 0.0);
+  EXPECT_NEAR(meet.step(300.0).energy_delivered - charging.energy_delivered,
+              charging.charge_rate * kLongestStep_s, 1e-9);
+}
+
 TEST(Charging, SlowsDownAsTheCurveSays) {
   Orders orders = two_meetings();
   orders.taper_from = 0.6;

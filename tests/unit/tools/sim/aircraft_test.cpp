@@ -219,6 +219,7 @@ TEST(Aircraft, RidesOnItsCharger) {
   EXPECT_EQ(aircraft.motion().mode, VehicleMode::kLanded) << "another vehicle's";
   charger.docked_vehicle_id = 1;
   charger.charge_rate = 0.5;
+  charger.time_s = 18.0;
   aircraft.see_charger(charger);
   fly_until(aircraft, 20.0);
   EXPECT_EQ(aircraft.motion().mode, VehicleMode::kDocked);
@@ -238,6 +239,22 @@ TEST(Aircraft, RidesOnItsCharger) {
   fly_until(aircraft, 43.0);
   EXPECT_EQ(aircraft.motion().mode, VehicleMode::kTakingOff);
   EXPECT_EQ(aircraft.motion().docked_charger_id, 0U);
+  EXPECT_EQ(aircraft.charge_rate(), 0.0);
+}
+
+TEST(Aircraft, IsNotChargedByASilentCharger) {
+  Aircraft aircraft = at_strip();
+  data::ChargerState charger;
+  charger.charger_id = 4;
+  charger.position = {0.4, 5, 0};
+  charger.docked_vehicle_id = 1;
+  charger.charge_rate = 0.5;
+  charger.time_s = 1.0;
+  aircraft.see_charger(charger);
+  fly_until(aircraft, 1.0 + Aircraft::kPlugSilence_s - 0.1);
+  EXPECT_EQ(aircraft.charge_rate(), 0.5);
+  fly_until(aircraft, 1.0 + Aircraft::kPlugSilence_s + 0.1);
+  EXPECT_EQ(aircraft.motion().mode, VehicleMode::kDocked);
   EXPECT_EQ(aircraft.charge_rate(), 0.0);
 }
 

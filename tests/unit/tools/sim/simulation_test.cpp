@@ -85,8 +85,10 @@ TEST(Simulation, ChargesOnBoard) {
   charger.position = {-20, 5, 0};
   charger.docked_vehicle_id = 1;
   charger.charge_rate = 2.0;
-  sim->see(charger);
-  run(*sim, 12.0);
+  for (charger.time_s = 2.0; charger.time_s < 12.0; charger.time_s += 2.0) {
+    sim->see(charger);
+    run(*sim, charger.time_s + 2.0);
+  }
   EXPECT_NEAR(sim->battery()->energy(), 70.0, 0.2);
   EXPECT_EQ(sim->tally().recharges, 1U);
 }
