@@ -318,6 +318,8 @@ bool PlanKeeper::on_robot(const RobotView& robot) {
   if (!finite || (robot_ && robot.time_s < robot_->time_s)) return refuse();
   if (robot_) note_refill(*robot_, robot);
   robot_ = robot;
+  if (is_robot_stranded()) return tell_stranded();
+  told_stranded_ = false;
   if (review_robot_energy()) return true;
   if (!vehicle_ || plan_.rendezvous.empty() || robot.has_vehicle || vehicle_->mode == AircraftMode::kDocked)
     return false;

@@ -158,6 +158,8 @@ class PlanKeeper {
   RobotStart robot_start() const;
   void send_robot(LivePlan& plan) const;
   void note_refill(const RobotView& before, const RobotView& now);
+  bool is_robot_stranded() const;
+  bool tell_stranded();
   bool review_robot_energy();
   Rendezvous meeting_at(const ScheduleStart& docked, double land_s, const Recharge& charge) const;
   Leg point_leg(const Vec3& at_m);
@@ -195,10 +197,11 @@ class PlanKeeper {
   std::string given_up_;  ///< not told yet
   std::uint64_t refused_ = 0;
   double landed_since_s_ = 0.0;
-  bool told_short_ = false;    ///< in this flight
-  bool told_overdue_ = false;  ///< in this stay on the ground
-  bool told_no_plan_ = false;  ///< in this stay on the ground
-  std::string no_plan_;        ///< why the last solution failed
+  bool told_short_ = false;     ///< in this flight
+  bool told_overdue_ = false;   ///< in this stay on the ground
+  bool told_no_plan_ = false;   ///< in this stay on the ground
+  bool told_stranded_ = false;  ///< since the robot had energy
+  std::string no_plan_;         ///< why the last solution failed
   double last_shift_s_ = -1e9;
   double robot_reviewed_s_ = -1e9;  ///< when its energy was looked at last
   double retry_s_ = -1e9;           ///< a solution that failed is not tried again before

@@ -12,6 +12,7 @@ constexpr double kChargeFactor = 1.1;
 constexpr double kReviewEvery_s = 5.0;
 /// Of the capacity: what it may lack against the plan before that is news.
 constexpr double kShortShare = 0.02;
+constexpr double kAtDepot_m = 1.0;
 /// Of the capacity: more than before is a refill.
 constexpr double kRefillShare = 0.01;
 
@@ -50,6 +51,21 @@ void PlanKeeper::note_refill(const RobotView& before, const RobotView& now) {
     return;
   const auto trip = std::ranges::find_if(plan_.rendezvous, &Rendezvous::by_depot);
   if (trip != plan_.rendezvous.end()) trip->by_depot = false;
+}
+
+bool PlanKeeper::is_robot_stranded() const {
+  return is_robot_limited() && robot_->energy <= 0.0 &&
+         (robot_->position_m - task_.charger.start_m).head<2>().norm() > kAtDepot_m;
+}
+
+/// It neither drives nor charges any more: all that is left is to say so.
+bool PlanKeeper::tell_stranded() {
+  if (told_stranded_ || plan_.legs_done >= plan_.legs.size()) return false;
+  told_stranded_ = true;
+  note_revision("the robot's own battery is empty at (" +
+                std::to_string(std::lround(robot_->position_m.x())) + ", " +
+                std::to_string(std::lround(robot_->position_m.y())) + "), away from its depot");
+  return true;
 }
 
 /// Does its energy do until it fetches new?

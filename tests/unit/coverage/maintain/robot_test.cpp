@@ -81,6 +81,14 @@ TEST_F(LimitedRobot, ARefillEndsTheTrip) {
   EXPECT_EQ(trips(keeper_->plan()), planned - 1);
 }
 
+TEST_F(LimitedRobot, ThatIsEmptyAwayFromItsDepotIsSaidOnce) {
+  tell(0.0, kDepot_m, 400.0);
+  ASSERT_TRUE(tell(6.0, {8.0, 0.0, 0.0}, 0.0));
+  EXPECT_EQ(keeper_->plan().reason, "the robot's own battery is empty at (8, 0), away from its depot");
+  EXPECT_FALSE(tell(100.0, {8.0, 0.0, 0.0}, 0.0));
+  EXPECT_FALSE(tell(900.0, {8.0, 0.0, 0.0}, 0.0)) << "that it is late is no news";
+}
+
 TEST_F(LimitedRobot, WhatCannotLastIsPlannedAllTheSame) {
   Task weak = limited_task();
   weak.charger.battery.capacity = 60.0;  // less than a charge
