@@ -2,6 +2,7 @@
 #include <cmath>
 #include <utility>
 
+#include "coverage/field/places.hpp"
 #include "coverage/maintain/plan_keeper.hpp"
 
 /// How PlanKeeper schedules the rest anew.
@@ -216,14 +217,26 @@ bool PlanKeeper::solve_on_ground(const std::string& reason) {
   no_plan_ = "the robot has no way to where the aircraft landed";
   if (!std::isfinite(arrives)) return false;
   start.time_s = arrives + task_.charger.landing_s;
-  Vec3 above = site;
-  above.z() = std::max(legs.front().entry_m.z(), site.z() + task_.vehicle.clearance_m() + kAboveGround_m);
-  legs.insert(legs.begin(), point_leg(above));
+  if (const auto barred = barred_at(task_.fields, task_.no_fly, site.head<2>())) {
+    start.position_m = flight.ground(legs.front().entry_m);
+    start.time_s += drive_s(task_.charger, site, start.position_m);
+    no_plan_ = "the robot has no way to carry the aircraft out of " + *barred;
+    if (!std::isfinite(start.time_s)) return false;
+  } else {
+    Vec3 above = site;
+    above.z() = std::max(legs.front().entry_m.z(), site.z() + task_.vehicle.clearance_m() + kAboveGround_m);
+    legs.insert(legs.begin(), point_leg(above));
+  }
   no_plan_ = why_no_rest(legs, flight, rest_params().stops);
   auto found = plan_rest({std::move(legs), 1}, start, plan_.legs_done, flight, rest_params());
   if (!found) return false;
   no_plan_.clear();
   Rendezvous meeting = meeting_at(start, vehicle_->time_s, *found->first);
+  meeting.site_m = site;
+  meeting.robot_arrives_s = arrives;
+  meeting.wait_s = arrives - vehicle_->time_s;
+  meeting.carry = start.position_m != site;
+  meeting.carry_to_m = start.position_m;
   // It meets the robot before the next leg, as if at its entry.
   meeting.id = entry_id(plan_.legs_done);
   found->rendezvous.insert(found->rendezvous.begin(), meeting);

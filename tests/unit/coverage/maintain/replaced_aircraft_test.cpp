@@ -98,6 +98,27 @@ TEST_F(Replaced, AnotherAircraftElsewhereWaitsForTheRobotFirst) {
   EXPECT_GT(after.rendezvous.front().robot_arrives_s, now_s_ + 30.0);
 }
 
+TEST_F(Replaced, AnotherAircraftInANoFlyAreaIsCarriedOutOfIt) {
+  Task task = square_task();
+  task.no_fly.push_back({{{50, -50}, {70, -50}, {70, -30}, {50, -30}}, {}});
+  auto made = PlanKeeper::make(task, planner::Terrain::flat(0.0), {});
+  ASSERT_TRUE(made.ok()) << made.error().message;
+  keeper_.emplace(std::move(*made));
+  const Vec3 away(60.0, -40.0, 0.0);
+  fly(0, 1.0);
+  fly(1, 0.5);
+  ASSERT_TRUE(keeper_->on_vehicle(landed(away, 30.0)));
+  const LivePlan& after = keeper_->plan();
+  ASSERT_FALSE(after.rendezvous.empty()) << after.reason;
+  const Rendezvous& out = after.rendezvous.front();
+  EXPECT_LT((out.site_m - away).norm(), 0.1);
+  ASSERT_TRUE(out.carry);
+  EXPECT_LT((out.carry_to_m - after.legs.front().entry_m).head<2>().norm(), 0.1);
+  EXPECT_EQ(after.legs.front().kind, LegKind::kCover);
+  const double carried_s = (out.carry_to_m - out.site_m).norm() / task.charger.speed_mps;
+  EXPECT_GE(out.depart_s, out.robot_arrives_s + carried_s);
+}
+
 /// Docked before leg 0, and a landing at that leg's exit: both are met, each under its own number.
 TEST_F(Replaced, AMeetingBeforeTheFirstLegSharesItsNumberWithNoLanding) {
   Task weak = square_task();
