@@ -98,6 +98,7 @@ bool PlanKeeper::replace_aircraft(const AircraftView& vehicle) {
   track_.reset();
   battery_.reset();
   consumption_ = {};
+  path_.clear();
   task_.battery.capacity = capacity_as_asked_;
   lands_at_once_ = false;
   told_no_plan_ = false;

@@ -38,8 +38,11 @@ std::size_t PlanKeeper::split_ahead(Rest& rest, const Commitment& begun) {
   const Leg& planned = plan_.legs[plan_.legs_done + begun.legs - 1];
   const double length = (planned.exit_m - planned.entry_m).norm();
   double into_last_m = begun.into_last_m;
-  if (begun.legs == 1 && covers(plan_.legs_done))
-    into_last_m -= kHasteShare * params_.reaction_s * task_.vehicle.cruise_speed_mps;
+  if (begun.legs == 1 && covers(plan_.legs_done)) {
+    into_last_m = is_path_of_plan()
+                      ? into_leg_m(plan_.legs_done, (1.0 - kHasteShare) * params_.reaction_s)
+                      : into_last_m - kHasteShare * params_.reaction_s * task_.vehicle.cruise_speed_mps;
+  }
   if (into_last_m < length - 1.0) {
     Leg after = last;
     after.sub_cell_id = next_id_++;

@@ -29,6 +29,18 @@ void set_approach(LivePlan& plan, std::vector<Vec3> bends_m) {
   way = std::move(bends_m);
 }
 
+bool same_sortie(const std::vector<Leg>& a, const std::vector<Leg>& b, std::size_t leg) {
+  const auto same = [](const Leg& l, const Leg& m) {
+    return l.kind == m.kind && l.entry_m == m.entry_m && l.exit_m == m.exit_m && l.transfer == m.transfer &&
+           l.transfer_m == m.transfer_m;
+  };
+  for (std::size_t i = leg > 0 ? leg - 1 : 0; i < std::max(a.size(), b.size()); ++i) {
+    if (i >= a.size() || i >= b.size() || !same(a[i], b[i])) return false;
+    if (i >= leg && a[i].transfer != Transfer::kFF) return true;
+  }
+  return true;
+}
+
 void shift_times(LivePlan& plan, std::size_t first_leg, double delay_s) {
   for (std::size_t i = first_leg; i < plan.legs.size(); ++i) {
     plan.legs[i].start_s = std::max(0.0, plan.legs[i].start_s + delay_s);

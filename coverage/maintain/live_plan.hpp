@@ -29,6 +29,9 @@ LivePlan live_plan(const Plan& plan);
 /// Where the way to the next leg bends, now that it begins elsewhere than at the exit of the leg before.
 void set_approach(LivePlan& plan, std::vector<Vec3> bends_m);
 
+/// Whether both ask for the same flight from a leg to the next landing.
+bool same_sortie(const std::vector<Leg>& a, const std::vector<Leg>& b, std::size_t leg);
+
 /// Takes the aircraft's legs and meetings that are not over by `delay_s` later (or earlier).
 void shift_times(LivePlan& plan, std::size_t first_leg, double delay_s);
 

@@ -45,6 +45,7 @@ PlanKeeper::PlanKeeper(Task task, planner::Terrain terrain, const KeeperParams& 
       ways_(std::move(ways)) {
   for (const Leg& leg : plan_.legs) next_id_ = std::max(next_id_, leg.sub_cell_id + 1);
   plan_.battery_energy = task_.battery.capacity;
+  told_legs_ = plan_.legs;
 }
 
 EnergyModel PlanKeeper::energy_model() const {
@@ -85,6 +86,7 @@ bool PlanKeeper::covers(std::size_t leg) const {
 PlanKeeper::Commitment PlanKeeper::committed() const {
   Commitment out;
   if (!vehicle_ || vehicle_->on_ground()) return out;
+  if (is_path_of_plan()) return committed_on_path();
   const FlightModel flight = model();
   const double speed = task_.vehicle.cruise_speed_mps;
   double time_s = 0.0;
@@ -113,6 +115,12 @@ PlanKeeper::Commitment PlanKeeper::committed() const {
 
 std::optional<FlightCost> PlanKeeper::to_next_landing() const {
   if (!vehicle_ || vehicle_->on_ground()) return std::nullopt;
+  FlightCost out = legs_to_next_landing();
+  out.energy += surcharge();
+  return out;
+}
+
+FlightCost PlanKeeper::legs_to_next_landing() const {
   return flight_to(plan_.rendezvous.empty() ? nullptr : &plan_.rendezvous.front(), start_in_air());
 }
 
@@ -344,6 +352,8 @@ bool PlanKeeper::on_robot(const RobotView& robot) {
 void PlanKeeper::note_revision(const std::string& reason) {
   send_robot(plan_);
   ++plan_.revision;
+  if (!same_sortie(told_legs_, plan_.legs, plan_.legs_done)) legs_revision_ = plan_.revision;
+  told_legs_ = plan_.legs;
   plan_.reason = reason;
   plan_.vehicle_time_s = vehicle_ ? vehicle_->time_s : 0.0;
   plan_.battery_time_s = battery_ ? battery_->time_s : 0.0;

@@ -12,6 +12,7 @@
 
 #include "coverage/energy/consumption.hpp"
 #include "coverage/maintain/live_plan.hpp"
+#include "coverage/maintain/path_ahead.hpp"
 #include "coverage/maintain/rest.hpp"
 #include "coverage/maintain/strip_track.hpp"
 #include "coverage/schedule/robot_trips.hpp"
@@ -76,6 +77,9 @@ class PlanKeeper {
   bool on_vehicle(const AircraftView& vehicle);
   bool on_battery(const BatteryView& battery);
   bool on_robot(const RobotView& robot);
+  /// The path that the planner made of the plan: what it waits for and goes round takes energy too, which the
+  /// next battery state is judged by.
+  void on_path(const PathView& path);
   /// Other fields while the mission is under way: what is flown stays, the new fields are cut, what has been
   /// seen of them is left out and the rest is scheduled anew in an order of its own. Errors leave the plan as
   /// it is: (kBadInput) the task, or another aircraft or robot; (kInfeasible) no field can be planned, or the
@@ -117,7 +121,13 @@ class PlanKeeper {
     double into_last_m = 0.0;  ///< of the last of them, from its entry, or beyond its exit
   };
   Commitment committed() const;
+  Commitment committed_on_path() const;
+  double into_leg_m(std::size_t leg, double ahead_s) const;
+  bool is_on_path() const;
+  bool is_path_of_plan() const { return is_on_path() && path_.coverage_revision() >= legs_revision_; }
   std::optional<FlightCost> to_next_landing() const;
+  FlightCost legs_to_next_landing() const;
+  double surcharge() const;
   FlightCost flight_over(std::span<const Leg> legs, const ScheduleStart& start) const;
   FlightCost flight_to(const Rendezvous* landing, const ScheduleStart& start) const;
   RestParams rest_params() const;
@@ -164,6 +174,7 @@ class PlanKeeper {
   Rendezvous meeting_at(const ScheduleStart& docked, double land_s, const Recharge& charge) const;
   Leg point_leg(const Vec3& at_m);
   Vec3 point_ahead() const;
+  Vec3 lifted(Vec3 at_m) const;
   void adopt(RestPlan rest, const std::string& reason);
   void note_revision(const std::string& reason);
   ScheduleStart start_in_air() const;
@@ -186,7 +197,10 @@ class PlanKeeper {
   std::optional<AircraftView> vehicle_;
   std::optional<BatteryView> battery_;
   std::optional<RobotView> robot_;
-  std::vector<Leg> retired_;  ///< flown by aircraft before this one, no longer in the plan
+  PathAhead path_;
+  std::vector<Leg> told_legs_;       ///< of the newest revision
+  std::uint32_t legs_revision_ = 0;  ///< the newest in which the flight to the next landing is another
+  std::vector<Leg> retired_;         ///< flown by aircraft before this one, no longer in the plan
   std::optional<StripTrack> track_;
   std::size_t tracked_leg_ = 0;
   std::vector<Leg> gaps_;                ///< left out, not in the plan yet

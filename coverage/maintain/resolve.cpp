@@ -114,6 +114,7 @@ Leg PlanKeeper::point_leg(const Vec3& at_m) {
 
 /// Where the aircraft will be when a change can have reached it.
 Vec3 PlanKeeper::point_ahead() const {
+  if (is_on_path()) return lifted(path_.position_m(vehicle_->time_s + params_.reaction_s));
   Vec3 way = vehicle_->velocity_mps;
   way.z() = 0.0;
   Vec3 out = vehicle_->position_m + way * params_.reaction_s;
@@ -123,10 +124,14 @@ Vec3 PlanKeeper::point_ahead() const {
     if (ways_->is_free(here, out.head<2>())) break;
     out = vehicle_->position_m + way * (share * params_.reaction_s);
   }
-  // Just off the ground there is no place to fly to but above.
-  out.z() = std::max(
-      out.z(), terrain_.height_at(out.x(), out.y()) + 1.5 * task_.vehicle.clearance_m() + kAboveGround_m);
-  return out;
+  return lifted(out);
+}
+
+/// Just off the ground there is no place to fly to but above.
+Vec3 PlanKeeper::lifted(Vec3 at_m) const {
+  const double ground_m = terrain_.height_at(at_m.x(), at_m.y());
+  at_m.z() = std::max(at_m.z(), ground_m + 1.5 * task_.vehicle.clearance_m() + kAboveGround_m);
+  return at_m;
 }
 
 void PlanKeeper::adopt(RestPlan rest, const std::string& reason) {
@@ -155,7 +160,9 @@ bool PlanKeeper::solve_in_flight(const std::string& reason, Otherwise otherwise)
   const Commitment begun = committed();
   Rest whole{unflown_legs(begun.legs), begun.legs};
   if (whole.legs.empty()) return false;
-  const ScheduleStart start = start_in_air();
+  ScheduleStart start = start_in_air();
+  // Whatever the path waits for and goes round may be in the way of other legs as well.
+  start.energy = std::max(0.0, start.energy - surcharge());
   RestParams params = rest_params();
   // Landing early costs little, landing late the reserve; and a path that changes on the way has stops more.
   params.stops.battery.reserve +=

@@ -75,6 +75,10 @@ bool PlanKeeper::review_capacity(double capacity) {
 PlanKeeper::DownNow PlanKeeper::down_now() const {
   const FlightModel flight = model();
   const Vec3 ahead = point_ahead();
+  if (is_on_path()) {
+    const double now_s = vehicle_->time_s;
+    return {path_.cost(flight, now_s, now_s + params_.reaction_s), flight.landing(ahead)};
+  }
   return {flight.level(vehicle_->position_m, ahead), flight.landing(ahead)};
 }
 

@@ -29,6 +29,22 @@ AircraftMode to_mode(data::VehicleMode mode) {
   return AircraftMode::kFlying;
 }
 
+planner::Phase to_phase(data::PathPhase phase) {
+  switch (phase) {
+    case data::PathPhase::kTakeOff:
+      return planner::Phase::kTakeOff;
+    case data::PathPhase::kTransfer:
+      return planner::Phase::kTransfer;
+    case data::PathPhase::kCover:
+      return planner::Phase::kCover;
+    case data::PathPhase::kHold:
+      return planner::Phase::kHold;
+    case data::PathPhase::kLanding:
+      return planner::Phase::kLanding;
+  }
+  return planner::Phase::kHold;
+}
+
 /// A part of a plan's bends.
 struct Part {
   std::uint32_t first = 0;
@@ -224,6 +240,13 @@ BatteryView to_view(const data::BatteryState& state) { return {state.time_s, sta
 RobotView to_view(const data::ChargerState& state) {
   return {state.time_s, to_vec(state.position), state.docked_vehicle_id != 0,
           state.activity == data::ChargerActivity::kDelayed, state.energy};
+}
+
+PathView to_view(const data::PathPlan& plan) {
+  PathView out{.coverage_revision = plan.basis.coverage_revision, .lands = plan.lands, .waypoints = {}};
+  for (const data::TimedWaypoint& w : plan.waypoints)
+    out.waypoints.push_back({w.time_s, to_vec(w.position), to_phase(w.phase), w.leg_index});
+  return out;
 }
 
 WirePlans to_wire(const PlanKeeper& keeper, const planner::Terrain& terrain, const Vec3& robot_m,

@@ -11,6 +11,7 @@ namespace swallowtail::coverage {
 AircraftView to_view(const data::VehicleState& state);
 BatteryView to_view(const data::BatteryState& state);
 RobotView to_view(const data::ChargerState& state);
+PathView to_view(const data::PathPlan& plan);
 
 struct WirePlans {
   data::CoveragePlan coverage;

@@ -86,6 +86,10 @@ Status CoverageParticipant::subscribe_states() {
     inbox->battery.put(state);
   }});
   if (!done) return done;
+  done = bus_.subscribe<data::PathPlan>({.on_sample = [inbox](const data::PathPlan& plan) {
+    if (plan.vehicle_id == inbox->vehicle_id.load() && !plan.waypoints.empty()) inbox->path.put(plan);
+  }});
+  if (!done) return done;
   return bus_.subscribe<data::ChargerState>({.on_sample = [inbox, bus](const data::ChargerState& state) {
     const std::uint32_t ours = inbox->charger_id.load();
     if (ours != 0 && state.charger_id != ours) return bus->count_rejection("ChargerState", "unknown charger");
@@ -226,10 +230,15 @@ void CoverageParticipant::take_states() {
   if (!states.empty()) last_vehicle_ = states.back();
   const auto battery = inbox_->battery.take();
   const auto charger = inbox_->charger.take();
+  const auto path = inbox_->path.take();
   if (!keeper_ || ended()) return;
   keeper_->set_reaction(std::max(1.0, inbox_->time.rate() * options_.reaction_wall_s));
   const double began_s = clock_.now_s();
   bool changed = false;
+  if (path && path->revision != path_revision_) {
+    path_revision_ = path->revision;
+    keeper_->on_path(to_view(*path));
+  }
   if (charger && charger->charger_id == task_->charger.charger_id) {
     robot_m_ = to_view(*charger).position_m;
     changed |= keeper_->on_robot(to_view(*charger));

@@ -30,11 +30,12 @@ struct ParticipantOptions {
   const std::atomic<bool>* stop_requested = nullptr;
 };
 
-/// Joins PlanKeeper to the wire: reads CoverageTask, TerrainTile, VehicleState, BatteryState, ChargerState
-/// and MissionClock, writes CoveragePlan, ChargerPlan and ParticipantStatus. A new revision of the task is
-/// planned afresh while the aircraft has not flown a leg; later ones may change the fields only (see
-/// PlanKeeper::change_task) and are refused else, with the reason in the status. A plan found on the wire for
-/// the task (of another coverage participant, gone or going) is taken up, not made anew.
+/// Joins PlanKeeper to the wire: reads CoverageTask, TerrainTile, VehicleState, BatteryState,
+/// ChargerState, PathPlan and MissionClock, writes CoveragePlan, ChargerPlan and ParticipantStatus. A new
+/// revision of the task is planned afresh while the aircraft has not flown a leg; later ones may change the
+/// fields only (see PlanKeeper::change_task) and are refused else, with the reason in the status. A plan
+/// found on the wire for the task (of another coverage participant, gone or going) is taken up, not made
+/// anew.
 class CoverageParticipant {
  public:
   static Result<std::unique_ptr<CoverageParticipant>> make(Bus& bus, const Clock& clock,
@@ -55,6 +56,7 @@ class CoverageParticipant {
     Mailbox<data::CoveragePlan> plan;  ///< of somebody else, before ours
     Mailbox<data::BatteryState> battery;
     Mailbox<data::ChargerState> charger;
+    Mailbox<data::PathPlan> path;
     std::mutex mutex;
     std::deque<data::VehicleState> vehicle;  ///< every one: strips are judged by them
     std::vector<data::TerrainTile> tiles;
@@ -93,6 +95,7 @@ class CoverageParticipant {
   std::optional<data::VehicleState> last_vehicle_;
   std::optional<planner::Terrain> terrain_;  ///< that was planned over
   std::optional<Vec3> robot_m_;              ///< where it was last
+  std::uint32_t path_revision_ = 0;          ///< of the newest that was taken up
   std::optional<PlanKeeper> keeper_;
   bool is_published_ = false;
   Due alive_;

@@ -1,0 +1,58 @@
+#include <algorithm>
+#include <cmath>
+
+#include "coverage/maintain/plan_keeper.hpp"
+
+/// What PlanKeeper takes from the path that the aircraft flies.
+namespace swallowtail::coverage {
+namespace {
+
+constexpr double kOffPath_m = 1.5;  ///< that the aircraft is not where its path says
+
+}  // namespace
+
+void PlanKeeper::on_path(const PathView& path) {
+  const bool finite = std::ranges::all_of(path.waypoints, [](const planner::TimedWaypoint& w) {
+    return is_finite(w.time_s) && is_finite(w.position_m);
+  });
+  const bool ordered = std::ranges::is_sorted(path.waypoints, {}, &planner::TimedWaypoint::time_s);
+  if (path.waypoints.empty() || !finite || !ordered) {
+    refuse();
+    return;
+  }
+  path_.join(path, vehicle_ ? vehicle_->time_s : 0.0);
+}
+
+bool PlanKeeper::is_on_path() const {
+  return vehicle_ && !vehicle_->on_ground() && !path_.empty() &&
+         (path_.position_m(vehicle_->time_s) - vehicle_->position_m).norm() <= kOffPath_m;
+}
+
+/// What the path to the next landing takes above what its legs do.
+double PlanKeeper::surcharge() const {
+  if (!is_path_of_plan() || !path_.lands()) return 0.0;
+  const double flown = path_.cost(model(), vehicle_->time_s, path_.end_s()).energy;
+  return std::max(0.0, flown - legs_to_next_landing().energy);
+}
+
+/// How far along a leg the path is so many seconds from now, if it has begun it by then.
+double PlanKeeper::into_leg_m(std::size_t leg, double ahead_s) const {
+  const Vec3 way = plan_.legs[leg].exit_m - plan_.legs[leg].entry_m;
+  const double at_s = vehicle_->time_s + ahead_s;
+  const double length = way.norm();
+  if (length < 1e-9 || at_s >= path_.leg_end_s(leg)) return length;
+  return std::clamp((path_.position_m(at_s) - plan_.legs[leg].entry_m).dot(way) / length, 0.0, length);
+}
+
+PlanKeeper::Commitment PlanKeeper::committed_on_path() const {
+  const std::size_t now = plan_.legs_done;
+  std::size_t most = now;
+  while (most < plan_.legs.size() && (most == now || plan_.legs[most - 1].transfer == Transfer::kFF)) ++most;
+  Commitment out;
+  out.legs = std::min(path_.legs_begun(now, vehicle_->time_s + params_.reaction_s), most - now);
+  if (covers(now)) out.legs = std::max<std::size_t>(out.legs, 1);
+  if (out.legs > 0) out.into_last_m = into_leg_m(now + out.legs - 1, params_.reaction_s);
+  return out;
+}
+
+}  // namespace swallowtail::coverage
