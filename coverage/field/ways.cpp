@@ -18,6 +18,9 @@ constexpr double kFar = std::numeric_limits<double>::infinity();
 constexpr double kPush_m = 0.02;
 /// Of a straight way, may touch what is not crossed: rounding.
 constexpr double kTouch_m = 2.5e-3;
+/// Nothing is between places as near as this. A robot stops so near to where it was sent, with luck just
+/// beyond the border that the place is at.
+constexpr double kBeside_m = 0.06;
 /// Of the corners that ways bend at, by the work of seeing each from each past every edge; beyond, near ones
 /// are taken together.
 constexpr double kMostLooks = 1.6e9;
@@ -246,6 +249,7 @@ const Ways::Domain* Ways::domain_of(const Vec2& from, const Vec2& to) const {
 }
 
 std::vector<Vec2> Ways::corners(const Vec2& from, const Vec2& to) const {
+  if ((to - from).norm() < kBeside_m) return {};
   if (last_ && last_->from_m == from && last_->to_m == to) return last_->corners_m;
   const Domain* domain = domain_of(from, to);
   last_ = Bent{from, to, domain == nullptr ? std::vector<Vec2>() : domain->corners(from, to)};
@@ -253,6 +257,7 @@ std::vector<Vec2> Ways::corners(const Vec2& from, const Vec2& to) const {
 }
 
 bool Ways::is_free(const Vec2& from, const Vec2& to) const {
+  if ((to - from).norm() < kBeside_m) return true;
   const Domain* domain = domain_of(from, to);
   return domain == nullptr || domain->is_free(from, to);
 }

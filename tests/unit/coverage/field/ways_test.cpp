@@ -55,6 +55,13 @@ TEST(Ways, InsideAConcaveFieldButAcrossOpenGroundBetweenFields) {
   EXPECT_TRUE(ways.corners(Vec2(10, 45), Vec2(140, 45)).empty()) << "to the other field straight";
 }
 
+TEST(Ways, StraightToAPlaceBesideAcrossTheBorder) {
+  const Polygon field{{{0, 0}, {100, 0}, {100, 100}, {50, 50}, {0, 100}}, {}};
+  const Ways ways({&field, 1}, {});
+  EXPECT_TRUE(ways.corners(Vec2(30, -0.002), Vec2(30.04, -0.002)).empty()) << "both just outside";
+  EXPECT_TRUE(ways.is_free(Vec2(30, -0.002), Vec2(30.04, 0.0)));
+}
+
 TEST(Ways, BetweenFieldsRoundANoFlyArea) {
   const std::vector<Polygon> fields = {{rectangle(0, 0, 40, 40), {}}, {rectangle(100, 0, 140, 40), {}}};
   const std::vector<Polygon> no_fly = {{rectangle(60, -10, 80, 60), {}}, {rectangle(70, 50, 90, 100), {}}};
