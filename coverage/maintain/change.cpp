@@ -166,11 +166,8 @@ Status PlanKeeper::take_cells(const std::vector<SubCell>& cells) {
     plan_.legs.insert(plan_.legs.end(), parts.begin(), parts.end());
   }
   plan_.area_m2 = 0.0;
-  plan_.complete = true;
-  for (const FieldReport& field : fields_) {
-    plan_.area_m2 += field.area_m2;
-    plan_.complete = plan_.complete && field.status == FieldStatus::kPlanned;
-  }
+  for (const FieldReport& field : fields_) plan_.area_m2 += field.area_m2;
+  plan_.lacks = lacking_field(fields_);
   const bool aloft = vehicle_ && !vehicle_->on_ground();
   if (aloft && plan_.legs.size() == plan_.legs_done) plan_.legs.push_back(point_leg(point_ahead()));
   if (plan_.legs.size() == plan_.legs_done) {

@@ -12,16 +12,17 @@ LivePlan live_plan(const Plan& plan) {
   out.rendezvous = plan.rendezvous;
   out.end_s = plan.makespan_s;
   out.area_m2 = plan.area_m2;
-  out.complete = plan.status == PlanStatus::kComplete;
-  if (!out.complete) {
-    const auto lacking = std::find_if(plan.fields.begin(), plan.fields.end(),
-                                      [](const FieldReport& f) { return f.status != FieldStatus::kPlanned; });
-    if (lacking != plan.fields.end()) {
-      const char* fate = lacking->status == FieldStatus::kRefused ? " refused: " : " covered in part: ";
-      out.reason = "field " + std::to_string(lacking->id) + fate + lacking->reason;
-    }
-  }
+  out.lacks = lacking_field(plan.fields);
+  if (!out.lacks.empty()) out.reason = out.lacks;
   return out;
+}
+
+std::string lacking_field(const std::vector<FieldReport>& fields) {
+  const auto lacking = std::ranges::find_if(
+      fields, [](const FieldReport& field) { return field.status != FieldStatus::kPlanned; });
+  if (lacking == fields.end()) return {};
+  const char* fate = lacking->status == FieldStatus::kRefused ? " refused: " : " covered in part: ";
+  return "field " + std::to_string(lacking->id) + fate + lacking->reason;
 }
 
 void set_approach(LivePlan& plan, std::vector<Vec3> bends_m) {

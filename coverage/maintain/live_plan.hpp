@@ -18,13 +18,16 @@ struct LivePlan {
   std::size_t legs_done = 0;
   double end_s = 0.0;  ///< predicted last landing
   double area_m2 = 0.0;
-  bool complete = true;         ///< everything is flown or ahead
+  std::string lacks{};          ///< of the task, in words: empty where everything is flown or ahead
   double battery_time_s = 0.0;  ///< basis
   double battery_energy = 0.0;
   double vehicle_time_s = 0.0;
 };
 
 LivePlan live_plan(const Plan& plan);
+
+/// The first field that is not planned whole, and why; empty where all are.
+std::string lacking_field(const std::vector<FieldReport>& fields);
 
 /// Where the way to the next leg bends, now that it begins elsewhere than at the exit of the leg before.
 void set_approach(LivePlan& plan, std::vector<Vec3> bends_m);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "planner/base/checks.hpp"
 
@@ -199,10 +200,10 @@ void PlanKeeper::finish_leg(std::size_t leg) {
     int& tries = tries_[flown.sub_cell_id];
     if (tries >= params_.gap_tries || length < 1e-6) {
       unflown_m_ += gap.to_m - gap.from_m;
-      plan_.complete = false;
-      given_up_ = std::to_string(std::lround(std::ceil(gap.to_m - gap.from_m))) + " m of sub-cell " +
-                  std::to_string(flown.sub_cell_id) + " given up after " + std::to_string(tries + 1) +
-                  " tries";
+      given_up_ = std::to_string(std::lround(std::ceil(unflown_m_))) +
+                  " m of strips given up, the last of sub-cell " + std::to_string(flown.sub_cell_id) +
+                  " after " + std::to_string(tries + 1) + " tries";
+      gives_up_ = true;
       continue;
     }
     const Vec3 along = (flown.exit_m - flown.entry_m) / length;
@@ -303,9 +304,8 @@ bool PlanKeeper::review_wait() {
 
 /// What is given up is news, whether or not anything else has changed.
 bool PlanKeeper::tell_given_up(bool changed) {
-  if (given_up_.empty()) return changed;
-  note_revision(changed ? plan_.reason + "; " + given_up_ : given_up_);
-  given_up_.clear();
+  if (!std::exchange(gives_up_, false)) return changed;
+  if (!changed) note_revision("a stretch is left out for good");
   return true;
 }
 
@@ -355,6 +355,9 @@ void PlanKeeper::note_revision(const std::string& reason) {
   if (!same_sortie(told_legs_, plan_.legs, plan_.legs_done)) legs_revision_ = plan_.revision;
   told_legs_ = plan_.legs;
   plan_.reason = reason;
+  for (const std::string& lacks : {plan_.lacks, given_up_}) {
+    if (!lacks.empty()) plan_.reason += "; " + lacks;
+  }
   plan_.vehicle_time_s = vehicle_ ? vehicle_->time_s : 0.0;
   plan_.battery_time_s = battery_ ? battery_->time_s : 0.0;
   plan_.battery_energy = energy_now();

@@ -106,7 +106,9 @@ class PlanKeeper {
   /// States refused so far.
   std::uint64_t refused() const { return refused_; }
   /// Whether everything is flown or ahead in the plan.
-  bool complete() const { return plan_.complete && gaps_.empty(); }
+  bool complete() const {
+    return plan_.lacks.empty() && given_up_.empty() && gaps_.empty() && !told_no_plan_;
+  }
 
  private:
   PlanKeeper(Task task, planner::Terrain terrain, const KeeperParams& params, LivePlan plan,
@@ -208,7 +210,8 @@ class PlanKeeper {
   std::vector<std::uint32_t> left_out_;  ///< sub-cells whose legs were not flown whole
   std::uint32_t next_id_ = 0;
   double unflown_m_ = 0.0;
-  std::string given_up_;  ///< not told yet
+  std::string given_up_;   ///< stretches, in words
+  bool gives_up_ = false;  ///< a stretch, which is not told yet
   std::uint64_t refused_ = 0;
   double landed_since_s_ = 0.0;
   bool told_short_ = false;     ///< in this flight

@@ -151,6 +151,7 @@ void PlanKeeper::adopt(RestPlan rest, const std::string& reason) {
   plan_.rendezvous = std::move(rest.rendezvous);
   plan_.end_s = rest.end_s;
   gaps_.clear();
+  told_no_plan_ = false;
   note_revision(reason);
 }
 

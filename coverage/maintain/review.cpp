@@ -167,7 +167,6 @@ bool PlanKeeper::review_ground() {
 bool PlanKeeper::tell_no_plan() {
   if (no_plan_.empty() || told_no_plan_) return false;
   told_no_plan_ = true;
-  plan_.complete = false;
   note_revision("stays landed: " + no_plan_);
   return true;
 }

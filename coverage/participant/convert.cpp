@@ -296,7 +296,7 @@ LivePlan from_wire(const data::CoveragePlan& in, const Task& task, const planner
   out.legs_done = in.legs_done;
   out.end_s = in.makespan_s;
   out.area_m2 = in.field_area_m2;
-  out.complete = in.complete;
+  if (!in.complete) out.lacks = "what was left out before a restart is not known";
   for (const data::Leg& leg : in.legs) {
     out.legs.push_back({.sub_cell_id = leg.sub_cell_id,
                         .kind = leg.kind == data::LegKind::kCover ? LegKind::kCover : LegKind::kReposition,

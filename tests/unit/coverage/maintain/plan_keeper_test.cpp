@@ -129,6 +129,20 @@ TEST_F(Keeper, AStripThatCannotBeFlownIsGivenUpWithAReason) {
   EXPECT_FALSE(made->complete());
   EXPECT_NE(made->plan().reason.find("given up"), std::string::npos) << made->plan().reason;
   EXPECT_NEAR(made->unflown_m(), length, 1.0);
+  ASSERT_TRUE(break_battery(*made, 2, made->task().battery.reserve + 45.0));
+  EXPECT_NE(made->plan().reason.find("given up"), std::string::npos) << made->plan().reason;
+}
+
+TEST_F(Keeper, WhatIsLeftOutIsSaidWithEveryReason) {
+  Task task = holed_task();
+  task.fields.push_back({7, "islet", {{{300, 0}, {304, 0}, {304, 4}, {300, 4}}, {}}, 20.0});
+  auto made = PlanKeeper::make(task, planner::Terrain::flat(0.0), {});
+  ASSERT_TRUE(made.ok()) << made.error().message;
+  ASSERT_FALSE(made->complete());
+  ASSERT_NE(made->plan().reason.find("field 7"), std::string::npos) << made->plan().reason;
+  ASSERT_TRUE(break_battery(*made, 1, made->task().battery.reserve + 45.0));
+  EXPECT_NE(made->plan().reason.find("; field 7"), std::string::npos) << made->plan().reason;
+  EXPECT_FALSE(made->complete());
 }
 
 /// Metres of a new field's middle line that no leg of the plan passes within half a width.

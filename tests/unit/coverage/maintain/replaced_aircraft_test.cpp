@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <memory>
 
 #include "coverage/maintain/plan_keeper.hpp"
 
@@ -117,6 +119,37 @@ TEST_F(Replaced, AnotherAircraftInANoFlyAreaIsCarriedOutOfIt) {
   EXPECT_EQ(after.legs.front().kind, LegKind::kCover);
   const double carried_s = (out.carry_to_m - out.site_m).norm() / task.charger.speed_mps;
   EXPECT_GE(out.depart_s, out.robot_arrives_s + carried_s);
+}
+
+/// Beyond a gate at x = 200 m that can be shut.
+class Gate : public GroundTravel {
+ public:
+  double drive_s(const Vec2& from, const Vec2& to) const override {
+    const bool through = (from.x() > 200.0) != (to.x() > 200.0);
+    return through && is_shut ? std::numeric_limits<double>::infinity() : (to - from).norm() / 2.0;
+  }
+  std::vector<Vec2> bends(const Vec2&, const Vec2&) const override { return {}; }
+  bool is_shut = true;
+};
+
+TEST_F(Replaced, WhereTheRobotCannotGetToItStaysUntilItCan) {
+  const auto gate = std::make_shared<Gate>();
+  Task task = square_task();
+  task.charger.travel = gate;
+  auto made = PlanKeeper::make(task, planner::Terrain::flat(0.0), {});
+  ASSERT_TRUE(made.ok()) << made.error().message;
+  keeper_.emplace(std::move(*made));
+  fly(0, 1.0);
+  fly(1, 0.5);
+  const Vec3 beyond(230.0, 0.0, 0.0);
+  ASSERT_TRUE(keeper_->on_vehicle(landed(beyond, 30.0)));
+  EXPECT_EQ(keeper_->plan().reason, "stays landed: the robot has no way to where the aircraft landed");
+  EXPECT_FALSE(keeper_->complete());
+  EXPECT_FALSE(keeper_->on_vehicle(landed(beyond, 40.0))) << "said once";
+  gate->is_shut = false;
+  ASSERT_TRUE(keeper_->on_vehicle(landed(beyond, 50.0)));
+  EXPECT_TRUE(keeper_->complete()) << keeper_->plan().reason;
+  EXPECT_FALSE(keeper_->plan().rendezvous.empty());
 }
 
 /// Docked before leg 0, and a landing at that leg's exit: both are met, each under its own number.
