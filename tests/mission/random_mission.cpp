@@ -7,6 +7,7 @@
 #include <limits>
 #include <memory>
 #include <numbers>
+#include <set>
 #include <variant>
 
 #include "charger/participant/charger_participant.hpp"
@@ -14,6 +15,7 @@
 #include "planner/base/rng.hpp"
 #include "planner/participant/planner_participant.hpp"
 #include "qos/memory/bus.hpp"
+#include "tests/mission/random_kinds.hpp"
 #include "tools/mission/check/flight_check.hpp"
 #include "tools/mission/check/rules_of.hpp"
 #include "tools/sim/sim_participant.hpp"
@@ -25,6 +27,7 @@ constexpr double kTick_s = 0.01;       // wall time
 constexpr double kLongest_s = 8000.0;  // mission time
 constexpr double kForever_s = 1e6;
 constexpr double kReaction_s = 0.4;  // wall time until the aircraft flies a changed plan
+const std::set<std::string> kRobotRules{"robot_energy", "closed_ground", "off_road"};
 
 /// Star-shaped around its centre, concave as a rule, sometimes with a hole.
 coverage::Polygon random_field(Rng& rng, const Vec2& centre, double radius_m) {
@@ -51,18 +54,6 @@ nlohmann::json ring_json(coverage::Ring ring) {
   nlohmann::json out = nlohmann::json::array();
   for (const Vec2& p : ring) out.push_back({p.x(), p.y()});
   return out;
-}
-
-void write_polygons(const std::vector<coverage::Polygon>& fields, const std::string& file) {
-  nlohmann::json features = nlohmann::json::array();
-  for (std::size_t i = 0; i < fields.size(); ++i) {
-    nlohmann::json rings = nlohmann::json::array({ring_json(fields[i].outline)});
-    for (const coverage::Ring& hole : fields[i].holes) rings.push_back(ring_json(hole));
-    features.push_back({{"type", "Feature"},
-                        {"properties", {{"id", "f" + std::to_string(i)}, {"crs", "local metres"}}},
-                        {"geometry", {{"type", "Polygon"}, {"coordinates", rings}}}});
-  }
-  std::ofstream(file) << nlohmann::json{{"type", "FeatureCollection"}, {"features", features}};
 }
 
 void draw_task(Rng& rng, RandomMission& mission) {
@@ -256,16 +247,17 @@ class ClosedLoop {
     const auto rules = check::rules_of(mission_.scenario);
     if (!rules) return end_.robot_faults.push_back(rules.error().message);
     for (const check::Finding& finding : check::check_flight(robot_, *rules).violations)
-      if (finding.kind == "robot_energy")
+      if (kRobotRules.contains(finding.kind))
         end_.robot_faults.push_back(std::to_string(finding.time_s) + " s: " + finding.detail);
   }
 
   /// What going straight down from here takes once the loss is known: until the next battery sample, until
   /// the change reaches the aircraft, to stop, and down; at the truest power, in the worst wind.
   double to_come_down(const planner::Scenario& scenario, double height_m) const {
-    const double power = mission_.consumption * (1.0 + 2.5 * scenario.battery_noise +
-                                                 (scenario.wind.speed_mps + scenario.wind.gust_mps) /
-                                                     scenario.vehicle.limits.cruise_speed_mps);
+    const double power =
+        greatest_rate(scenario) * mission_.consumption *
+        (1.0 + 2.5 * scenario.battery_noise +
+         (scenario.wind.speed_mps + scenario.wind.gust_mps) / scenario.vehicle.limits.cruise_speed_mps);
     const double known_s = 1.0 + 2.0 * kReaction_s * mission_.rate;
     return power * (known_s + 1.0 + height_m / scenario.vehicle.limits.descent_speed_mps);
   }
@@ -336,6 +328,19 @@ bool under(const data::Leg& leg, double half_width_m, const Vec2& p) {
 
 }  // namespace
 
+void write_polygons(const std::vector<coverage::Polygon>& fields, const std::string& file) {
+  nlohmann::json features = nlohmann::json::array();
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    nlohmann::json rings = nlohmann::json::array({ring_json(fields[i].outline)});
+    for (const coverage::Ring& hole : fields[i].holes) rings.push_back(ring_json(hole));
+    const std::string name = "f" + std::to_string(i);
+    features.push_back({{"type", "Feature"},
+                        {"properties", {{"id", name}, {"class", name}, {"crs", "local metres"}}},
+                        {"geometry", {{"type", "Polygon"}, {"coordinates", rings}}}});
+  }
+  std::ofstream(file) << nlohmann::json{{"type", "FeatureCollection"}, {"features", features}};
+}
+
 RandomMission random_mission(std::uint64_t seed, const std::string& folder) {
   RandomMission mission;
   mission.seed = seed;
@@ -349,6 +354,8 @@ RandomMission random_mission(std::uint64_t seed, const std::string& folder) {
   draw_robot_battery(more, mission);
   draw_replacement(more, mission);
   std::filesystem::create_directories(folder);
+  Rng kinds(seed * 7919 + 2);
+  draw_kinds(kinds, mission, folder);
   mission.scenario.coverage->fields_file = folder + "/" + std::to_string(seed) + ".geojson";
   write_polygons(mission.fields, mission.scenario.coverage->fields_file);
   if (mission.no_fly.empty()) return mission;

@@ -50,9 +50,11 @@ struct MissionEnd {
   std::string health;       ///< what coverage says of itself
   std::vector<Breach> breaches;
   std::vector<std::string> reasons;       ///< of all revisions, in order
-  std::vector<std::string> robot_faults;  ///< what is wrong with the robot's own energy
+  std::vector<std::string> robot_faults;  ///< in its own energy, and in where it drives
   int refills = 0;
 };
+
+void write_polygons(const std::vector<coverage::Polygon>& areas, const std::string& file);
 
 /// The same seed gives the same mission. Its field file is written to `folder`.
 RandomMission random_mission(std::uint64_t seed, const std::string& folder);
