@@ -11,6 +11,8 @@ namespace {
 constexpr double kSamePlace_m = 1e-6;
 /// Kept above the ground under a transfer, besides the vehicle's clearance.
 constexpr double kTransferMargin_m = 1.0;
+/// What flying takes where there is no way: no battery holds it.
+constexpr FlightCost kBarred{1e9, 1e12, 0.0};
 
 bool differs(double a, double b) { return std::abs(a - b) > kSamePlace_m; }
 
@@ -67,11 +69,17 @@ FlightCost FlightModel::landing(const Vec3& at) const {
   return stop(at.z()) + vertical(at.z(), std::min(at.z(), ground(at).z()));
 }
 
+bool FlightModel::is_barred(const Vec3& from, const Vec3& to) const {
+  return ways_ != nullptr && !ways_->corners(from.head<2>(), to.head<2>());
+}
+
 std::vector<Vec3> FlightModel::way(const Vec3& from, const Vec3& to) const {
   std::vector<Vec3> out{flat(from)};
   if (ways_ != nullptr) {
-    for (const Vec2& corner : ways_->corners(from.head<2>(), to.head<2>()))
-      out.emplace_back(corner.x(), corner.y(), 0.0);
+    const auto corners = ways_->corners(from.head<2>(), to.head<2>());
+    if (corners) {
+      for (const Vec2& corner : *corners) out.emplace_back(corner.x(), corner.y(), 0.0);
+    }
   }
   out.push_back(flat(to));
   double altitude = std::max(from.z(), to.z());
@@ -108,6 +116,7 @@ FlightCost FlightModel::level_part(const std::vector<Vec3>& way, const Ends& end
 }
 
 FlightCost FlightModel::transfer(const Vec3& from, const Vec3& to, const Ends& ends) const {
+  if (is_barred(from, to)) return kBarred;
   const std::vector<Vec3> way_there = way(from, to);
   const double altitude = way_there.front().z();
   Ends level_ends = ends;

@@ -33,7 +33,8 @@ struct FlightCost {
 /// Predicts flights the way the planner flies them (planner::time_route): level at cruise speed, vertical
 /// climbs first and descents last, a stop of planner::kStopToTurn_s where a vertical part begins or ends in
 /// the air and where the turn limit would be broken. Transfers climb over the ground between their ends where
-/// it stands higher than they are, and go round what `ways` leaves aside. Borrows the terrain and the ways.
+/// it stands higher than they are, and go round what `ways` leaves aside; where there is no way, they take
+/// what no battery holds. Borrows the terrain and the ways.
 class FlightModel {
  public:
   FlightModel(const planner::VehicleLimits& limits, const EnergyModel& energy,
@@ -67,8 +68,10 @@ class FlightModel {
   /// In the air from `from` to the ground below `to`.
   FlightCost transfer_and_land(const Vec3& from, const std::optional<Vec3>& before, const Vec3& to) const;
 
-  /// The places a transfer leads through, at its altitude, both ends' included: from there it climbs or
-  /// descends to `from` and `to`.
+  /// Whether there is no way in the air from one place to another.
+  bool is_barred(const Vec3& from, const Vec3& to) const;
+  /// The places a transfer leads through where it is not barred, at its altitude, both ends' included: from
+  /// there it climbs or descends to `from` and `to`.
   std::vector<Vec3> way(const Vec3& from, const Vec3& to) const;
 
   /// The site on the ground below a place.

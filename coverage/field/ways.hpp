@@ -16,10 +16,11 @@ namespace swallowtail::coverage {
 std::vector<Polygon> holes_without_fields(std::span<const Polygon> polygons, std::span<const Polygon> fields);
 
 /// Shortest ways in the plane that leave holes and no-fly areas aside. Between two places of one field the
-/// way stays inside that field; between others it may cross open ground, but no hole and no no-fly area.
-/// Visibility graph over the corners that a taut string can bend at, pushed 2 cm off the border; each place's
-/// part of it is computed once and kept. Not for use by several threads at once. A place inside a hole or
-/// no-fly area, or cut off by them, is reached straight.
+/// way stays inside that field where it can; between others, and where a field is too narrow for a way, it
+/// may cross open ground, but no hole and no no-fly area. Visibility graph over the corners that a taut
+/// string can bend at, pushed 2 cm off the border (where there are more than 1600, over fewer of them as long
+/// as there is a way past these: then it may be longer than need be); what is found is kept. Not for use by
+/// several threads at once. From a place inside a hole or no-fly area the way leads straight out of it first.
 class Ways {
  public:
   Ways();  ///< nothing is in the way
@@ -29,13 +30,14 @@ class Ways {
   Ways(Ways&&) noexcept;
   Ways& operator=(Ways&&) noexcept;
 
-  /// Where the way bends, in order; empty when it is straight.
-  std::vector<Vec2> corners(const Vec2& from, const Vec2& to) const;
+  /// Where the way bends, in order; empty when it is straight. Nothing when there is no way: holes and no-fly
+  /// areas cut the two off from each other.
+  std::optional<std::vector<Vec2>> corners(const Vec2& from, const Vec2& to) const;
   bool is_free(const Vec2& from, const Vec2& to) const;
 
  private:
   class Domain;
-  const Domain* domain_of(const Vec2& from, const Vec2& to) const;
+  Domain* domain_of(const Vec2& from, const Vec2& to) const;
   int room_of(const Vec2& place) const;
 
   std::vector<Polygon> fields_;
@@ -47,7 +49,7 @@ class Ways {
   struct Bent {
     Vec2 from_m = Vec2::Zero();
     Vec2 to_m = Vec2::Zero();
-    std::vector<Vec2> corners_m;
+    std::optional<std::vector<Vec2>> corners_m;
   };
   mutable std::optional<Bent> last_;
 };

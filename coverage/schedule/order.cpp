@@ -177,8 +177,18 @@ void OrderSearch::compare_with_full_graph(const GraphParams& params) {
     statistics_.full_graph_gap_percent = 100.0 * (statistics_.gtsp_cost / solution.cost - 1.0);
 }
 
-/// The robot where it reaches too little, else the battery.
+/// What is barred from the start, else the robot where it reaches too little, else the battery.
 std::string OrderSearch::why_none() const {
+  for (const SubCell& cell : cells_) {
+    const FlightModel& model = links_.model();
+    if (!model.is_barred(start_.position_m, cell.alpha_m) || !model.is_barred(start_.position_m, cell.beta_m))
+      continue;
+    const auto field =
+        std::ranges::find_if(task_.fields, [&](const Field& f) { return f.id == cell.field_id; });
+    return "there is no way in the air from " + place_text(start_.position_m.head<2>()) + " to " +
+           place_text(cell.alpha_m.head<2>()) + " in field '" +
+           (field == task_.fields.end() ? std::string() : field->name) + "' past holes and no-fly areas.";
+  }
   const auto is_reached = [&](const Vec3& site) {
     return std::isfinite(drive_s(task_.charger, task_.charger.start_m, site));
   };

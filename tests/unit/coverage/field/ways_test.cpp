@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -29,8 +30,8 @@ double length_m(const Vec2& from, const std::vector<Vec2>& corners, const Vec2& 
 TEST(Ways, StraightWhereNothingIsInTheWay) {
   const Polygon field{rectangle(0, 0, 100, 100), {}};
   const Ways ways({&field, 1}, {});
-  EXPECT_TRUE(ways.corners(Vec2(1, 1), Vec2(99, 99)).empty());
-  EXPECT_TRUE(Ways().corners(Vec2(0, 0), Vec2(1, 1)).empty());
+  EXPECT_TRUE(ways.corners(Vec2(1, 1), Vec2(99, 99))->empty());
+  EXPECT_TRUE(Ways().corners(Vec2(0, 0), Vec2(1, 1))->empty());
 }
 
 TEST(Ways, RoundAHoleByItsCorners) {
@@ -38,7 +39,7 @@ TEST(Ways, RoundAHoleByItsCorners) {
   const Ways ways({&field, 1}, {});
   const Vec2 from(10, 50);
   const Vec2 to(90, 50);
-  const std::vector<Vec2> corners = ways.corners(from, to);
+  const std::vector<Vec2> corners = ways.corners(from, to).value();
   ASSERT_EQ(corners.size(), 2U);
   EXPECT_NEAR((corners[0] - Vec2(40, 20)).norm(), 0.0, 0.05);
   EXPECT_NEAR((corners[1] - Vec2(60, 20)).norm(), 0.0, 0.05);
@@ -51,14 +52,14 @@ TEST(Ways, InsideAConcaveFieldButAcrossOpenGroundBetweenFields) {
       {{{0, 0}, {60, 0}, {60, 50}, {40, 50}, {40, 20}, {20, 20}, {20, 50}, {0, 50}}, {}},
       {rectangle(100, 0, 150, 50), {}}};
   const Ways ways(fields, {});
-  EXPECT_EQ(ways.corners(Vec2(10, 45), Vec2(50, 45)).size(), 2U) << "round the notch";
-  EXPECT_TRUE(ways.corners(Vec2(10, 45), Vec2(140, 45)).empty()) << "to the other field straight";
+  EXPECT_EQ(ways.corners(Vec2(10, 45), Vec2(50, 45))->size(), 2U) << "round the notch";
+  EXPECT_TRUE(ways.corners(Vec2(10, 45), Vec2(140, 45))->empty()) << "to the other field straight";
 }
 
 TEST(Ways, StraightToAPlaceBesideAcrossTheBorder) {
   const Polygon field{{{0, 0}, {100, 0}, {100, 100}, {50, 50}, {0, 100}}, {}};
   const Ways ways({&field, 1}, {});
-  EXPECT_TRUE(ways.corners(Vec2(30, -0.002), Vec2(30.04, -0.002)).empty()) << "both just outside";
+  EXPECT_TRUE(ways.corners(Vec2(30, -0.002), Vec2(30.04, -0.002))->empty()) << "both just outside";
   EXPECT_TRUE(ways.is_free(Vec2(30, -0.002), Vec2(30.04, 0.0)));
 }
 
@@ -66,7 +67,7 @@ TEST(Ways, BetweenFieldsRoundANoFlyArea) {
   const std::vector<Polygon> fields = {{rectangle(0, 0, 40, 40), {}}, {rectangle(100, 0, 140, 40), {}}};
   const std::vector<Polygon> no_fly = {{rectangle(60, -10, 80, 60), {}}, {rectangle(70, 50, 90, 100), {}}};
   const Ways ways(fields, no_fly);
-  const auto corners = ways.corners(Vec2(20, 20), Vec2(120, 20));
+  const auto corners = ways.corners(Vec2(20, 20), Vec2(120, 20)).value();
   ASSERT_EQ(corners.size(), 2U);
   EXPECT_LT(corners[0].y(), -10.0);
 }
@@ -74,7 +75,7 @@ TEST(Ways, BetweenFieldsRoundANoFlyArea) {
 TEST(Ways, AFieldInAHoleOfAnotherIsReached) {
   const std::vector<Polygon> fields = {{rectangle(0, 0, 100, 100), {hole(rectangle(30, 30, 70, 70))}},
                                        {rectangle(40, 40, 60, 60), {}}};
-  EXPECT_TRUE(Ways(fields, {}).corners(Vec2(10, 50), Vec2(50, 50)).empty());
+  EXPECT_TRUE(Ways(fields, {}).corners(Vec2(10, 50), Vec2(50, 50))->empty());
 }
 
 /// Among random holes the way stays on the ground and is no longer than one found on a fine grid.
@@ -102,7 +103,7 @@ TEST(Ways, StayOnTheGroundAmongRandomHoles) {
       if (!test_support::is_on(ground, {from.x(), from.y()}) ||
           !test_support::is_on(ground, {to.x(), to.y()}))
         continue;
-      const auto corners = ways.corners(from, to);
+      const auto corners = ways.corners(from, to).value();
       Vec2 at = from;
       std::vector<test_support::FlownLine> lines;
       for (const Vec2& corner : corners) {
@@ -113,7 +114,7 @@ TEST(Ways, StayOnTheGroundAmongRandomHoles) {
       const auto verdict = test_support::judge_cover(ground, lines, {.cell_m = 10.0});
       EXPECT_EQ(verdict.outside_m, 0.0) << "seed " << seed << ", trial " << trial;
       EXPECT_LE(length_m(from, corners, to), 1.6 * (to - from).norm() + 15.0) << "seed " << seed;
-      const auto back = ways.corners(to, from);
+      const auto back = ways.corners(to, from).value();
       EXPECT_NEAR(length_m(from, corners, to), length_m(to, back, from), 1e-6) << "seed " << seed;
     }
   }
@@ -129,7 +130,7 @@ TEST(Ways, GoRoundEachOfHundredsOfTrees) {
   for (int row = 0; row < 14; ++row) {
     Vec2 at(1.0, 12.0 + 26.0 * row);
     const Vec2 to(399.0, at.y() + 1.0);
-    auto way = ways.corners(at, to);
+    auto way = ways.corners(at, to).value();
     EXPECT_FALSE(way.empty()) << row;
     way.push_back(to);
     for (const Vec2& next : way) {
@@ -137,6 +138,132 @@ TEST(Ways, GoRoundEachOfHundredsOfTrees) {
       at = next;
     }
   }
+}
+
+/// How much of a stretch lies in a convex hole, clockwise: by its half-planes, one after the other.
+double length_in_m(const Ring& hole, const Vec2& from, const Vec2& to) {
+  double enters = 0.0;
+  double leaves = 1.0;
+  for (std::size_t i = 0; i < hole.size(); ++i) {
+    const Vec2& a = hole[i];
+    const Vec2 edge = hole[(i + 1) % hole.size()] - a;
+    const Vec2 right(edge.y(), -edge.x());
+    const double before = right.dot(from - a);
+    const double after = right.dot(to - a);
+    if (before <= 0.0 && after <= 0.0) return 0.0;
+    if (before < 0.0) enters = std::max(enters, before / (before - after));
+    if (after < 0.0) leaves = std::min(leaves, before / (before - after));
+  }
+  return std::max(0.0, leaves - enters) * (to - from).norm();
+}
+
+/// Trees of six corners, one somewhere in every square.
+Polygon orchard(int columns, int rows, double side_m, Rng& rng) {
+  Polygon out{rectangle(0, 0, columns * side_m, rows * side_m), {}};
+  for (int i = 0; i < columns * rows; ++i) {
+    const double radius = rng.uniform(0.5, 0.12 * side_m);
+    const double room = side_m / 2.0 - radius - 0.2;
+    const Vec2 middle((i % columns + 0.5) * side_m + rng.uniform(-room, room),
+                      (i / columns + 0.5) * side_m + rng.uniform(-room, room));
+    Ring tree;
+    for (int k = 0; k < 6; ++k) {
+      const double angle = -k * std::numbers::pi / 3.0;
+      tree.emplace_back(middle.x() + radius * std::cos(angle), middle.y() + radius * std::sin(angle));
+    }
+    out.holes.push_back(std::move(tree));
+  }
+  return out;
+}
+
+/// So many corners that not all of them are looked at first.
+TEST(Ways, CrossNoneOfAThousandTrees) {
+  for (std::uint64_t seed = 1; seed <= 2; ++seed) {
+    Rng rng(seed);
+    const Polygon field = orchard(40, 25, 12.0, rng);
+    const Ways ways({&field, 1}, {});
+    int bent = 0;
+    for (int trial = 0; trial < 150; ++trial) {
+      const Vec2 from(rng.uniform(1.0, 479.0), rng.uniform(1.0, 299.0));
+      const double reach = trial % 3 == 0 ? 400.0 : 60.0;
+      const Vec2 to(std::clamp(from.x() + rng.uniform(-reach, reach), 1.0, 479.0),
+                    std::clamp(from.y() + rng.uniform(-reach, reach), 1.0, 299.0));
+      if (!contains(field, from) || !contains(field, to)) continue;
+      const auto corners = ways.corners(from, to);
+      ASSERT_TRUE(corners.has_value());
+      bent += corners->empty() ? 0 : 1;
+      EXPECT_LE(length_m(from, *corners, to), 1.1 * (to - from).norm() + 10.0) << "seed " << seed;
+      Vec2 at = from;
+      std::vector<Vec2> way = *corners;
+      way.push_back(to);
+      for (const Vec2& next : way) {
+        for (const Ring& tree : field.holes)
+          ASSERT_LE(length_in_m(tree, at, next), 5e-3) << "seed " << seed << ", trial " << trial;
+        at = next;
+      }
+    }
+    EXPECT_GT(bent, 50);
+  }
+}
+
+/// The corners that are left when near ones are taken together do not see one another here.
+TEST(Ways, FindTheirWayThroughAMazeOfManyCorners) {
+  Polygon field{rectangle(0, 0, 401, 60), {}};
+  const double gap = 0.4;  // at the ends of walls, above and below in turn
+  for (int wall = 0; wall < 100; ++wall) {
+    const double x = 2.0 + 4.0 * wall;
+    const double low = wall % 2 == 0 ? gap : 0.05;
+    const double high = wall % 2 == 0 ? 59.95 : 60.0 - gap;
+    Ring left;
+    Ring right;
+    for (int k = 0; k <= 20; ++k) {
+      const double y = low + (high - low) * k / 20.0;
+      left.emplace_back(x + (k % 2 == 0 ? 0.0 : 0.5), y);
+      right.emplace_back(x + 1.0 + (k % 2 == 0 ? 0.0 : 0.5), y);
+    }
+    left.insert(left.end(), right.rbegin(), right.rend());
+    field.holes.push_back(left);
+    if (signed_area_m2(left) > 0.0) std::reverse(field.holes.back().begin(), field.holes.back().end());
+  }
+  const Ways ways({&field, 1}, {});
+  const auto corners = ways.corners(Vec2(0.5, 30.0), Vec2(400.5, 30.0));
+  ASSERT_TRUE(corners.has_value());
+  Vec2 at(0.5, 30.0);
+  std::vector<Vec2> way = *corners;
+  way.emplace_back(400.5, 30.0);
+  test_support::Ground ground{{{{0, 0}, {401, 0}, {401, 60}, {0, 60}}}};
+  for (const Ring& hole : field.holes) {
+    ground.rings.emplace_back();
+    for (const Vec2& p : hole) ground.rings.back().emplace_back(p.x(), p.y());
+  }
+  for (const Vec2& next : way) {
+    const int steps = static_cast<int>((next - at).norm() / 0.25) + 1;
+    for (int i = 0; i < steps; ++i) {
+      const Vec2 p = at + (next - at) * (static_cast<double>(i) / steps);
+      EXPECT_TRUE(test_support::is_on(ground, {p.x(), p.y()}) ||
+                  test_support::distance_to_border(ground, {p.x(), p.y()}) < 5e-3);
+    }
+    at = next;
+  }
+}
+
+TEST(Ways, ThereIsNoneIntoWhatIsBarredAllAround) {
+  const std::vector<Polygon> fields = {{rectangle(0, 0, 40, 40), {}}, {rectangle(100, 0, 140, 40), {}}};
+  const std::vector<Polygon> no_fly = {{rectangle(80, -20, 160, 60), {hole(rectangle(95, -5, 145, 45))}}};
+  const Ways ways(fields, no_fly);
+  EXPECT_FALSE(ways.corners(Vec2(20, 20), Vec2(120, 20)).has_value());
+  EXPECT_FALSE(ways.corners(Vec2(120, 20), Vec2(20, 20)).has_value());
+  EXPECT_TRUE(ways.corners(Vec2(105, 5), Vec2(135, 35)).has_value());
+}
+
+TEST(Ways, LeadOutOfANoFlyAreaByTheNearestBorder) {
+  const std::vector<Polygon> fields = {{rectangle(0, 0, 40, 40), {}}};
+  const std::vector<Polygon> no_fly = {{rectangle(60, 0, 100, 40), {}}};
+  const Ways ways(fields, no_fly);
+  const auto corners = ways.corners(Vec2(80, 38), Vec2(20, 20));
+  ASSERT_TRUE(corners.has_value());
+  ASSERT_EQ(corners->size(), 2U);
+  EXPECT_NEAR((corners->front() - Vec2(80, 40.02)).norm(), 0.0, 1e-6);
+  EXPECT_NEAR((corners->back() - Vec2(60, 40)).norm(), 0.0, 0.05);
 }
 
 }  // namespace

@@ -161,6 +161,23 @@ TEST(Plan, ADeadlineInThePastStillGivesAPlan) {
   EXPECT_EQ(plan->legs.size(), 12U);
 }
 
+TEST(Plan, WhereNoWayLeadsTheAircraftIsCarriedOrThePlanRefused) {
+  Task task = two_heights();
+  const Ring around{{130, -20}, {290, -20}, {290, 80}, {130, 80}};
+  task.no_fly = {{around, {{{140, -10}, {140, 70}, {280, 70}, {280, -10}}}}};
+  const auto carried = plan_coverage(task, planner::Terrain::flat(0.0), {});
+  ASSERT_TRUE(carried.ok()) << carried.error().message;
+  for (std::size_t i = 0; i + 1 < carried->legs.size(); ++i) {
+    if (carried->legs[i].field_id != carried->legs[i + 1].field_id) {
+      EXPECT_EQ(carried->legs[i].transfer, Transfer::kFDTU);
+    }
+  }
+  task.fields.erase(task.fields.begin());
+  const auto refused = plan_coverage(task, planner::Terrain::flat(0.0), {});
+  ASSERT_FALSE(refused.ok());
+  EXPECT_THAT(refused.error().message, AllOf(HasSubstr("no way"), HasSubstr("'f2'"), HasSubstr("no-fly")));
+}
+
 TEST(WaysOf, GoRoundAHoleThatANoFlyAreaJoinsToTheOutside) {
   Task task;
   task.fields = {
