@@ -1,6 +1,7 @@
 #include "tests/mission/random_kinds.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fstream>
 #include <numbers>
@@ -39,6 +40,9 @@ void draw_lines(Rng& rng, RandomMission& mission) {
   if (spec.headland_m > 0.0) mission.faults += "headland; ";
 }
 
+/// The robot's map of closed ground has cells of 2 m.
+const std::array<Vec2, 5> kAround{Vec2(0, 0), Vec2(3, 0), Vec2(-3, 0), Vec2(0, 3), Vec2(0, -3)};
+
 void draw_closed_ground(Rng& rng, RandomMission& mission, const std::string& file) {
   std::vector<coverage::Polygon> areas;
   for (std::uint64_t i = 0; i < 1 + rng.below(3); ++i) {
@@ -52,6 +56,11 @@ void draw_closed_ground(Rng& rng, RandomMission& mission, const std::string& fil
     areas.push_back(area);
   }
   write_polygons(areas, file);
+  mission.is_closed = [areas](const Vec2& p) {
+    return std::ranges::any_of(areas, [&](const coverage::Polygon& area) {
+      return std::ranges::any_of(kAround, [&](const Vec2& off) { return within(area.outline, p + off); });
+    });
+  };
   mission.scenario.coverage->charger.ground = planner::RoughGroundSpec{.forbidden_file = file};
   mission.faults += "closed ground; ";
 }
@@ -69,10 +78,22 @@ void draw_roads(Rng& rng, RandomMission& mission, const std::string& file) {
                         {"properties", {{"crs", "local metres"}}},
                         {"geometry", {{"type", "LineString"}, {"coordinates", way}}}});
   std::ofstream(file) << nlohmann::json{{"type", "FeatureCollection"}, {"features", features}};
-  charger.ground = planner::RoadSpec{.file = file,
-                                     .off_road_speed_mps = rng.uniform(0.5, 1.0) * charger.speed_mps,
-                                     .off_road_max_m = rng.uniform(60.0, 150.0)};
+  const double slow_mps = rng.uniform(0.5, 1.0) * charger.speed_mps;
+  const double most_m = rng.uniform(60.0, 150.0);
+  charger.ground = planner::RoadSpec{.file = file, .off_road_speed_mps = slow_mps, .off_road_max_m = most_m};
   if (charger.battery) charger.battery->capacity += charger.battery->drive_per_s * 800.0 / charger.speed_mps;
+  mission.is_closed = [ways, most_m](const Vec2& p) {
+    double away_m = 1e9;
+    for (const nlohmann::json& way : ways) {
+      for (std::size_t i = 1; i < way.size(); ++i) {
+        const Vec2 a(way[i - 1][0], way[i - 1][1]);
+        const Vec2 along = Vec2(way[i][0], way[i][1]) - a;
+        const double share = std::clamp((p - a).dot(along) / along.squaredNorm(), 0.0, 1.0);
+        away_m = std::min(away_m, (p - a - share * along).norm());
+      }
+    }
+    return away_m > most_m - 1.0;
+  };
   mission.faults += "roads; ";
 }
 

@@ -304,17 +304,6 @@ class ClosedLoop {
   double ground_loss_s_ = -kForever_s;
 };
 
-/// Crossings of a ray to the east.
-bool within(const coverage::Ring& ring, const Vec2& p) {
-  bool inside = false;
-  for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
-    if ((ring[i].y() > p.y()) == (ring[j].y() > p.y())) continue;
-    const double share = (p.y() - ring[i].y()) / (ring[j].y() - ring[i].y());
-    if (p.x() < ring[i].x() + share * (ring[j].x() - ring[i].x())) inside = !inside;
-  }
-  return inside;
-}
-
 bool under(const data::Leg& leg, double half_width_m, const Vec2& p) {
   const Vec2 entry(leg.entry.x_m, leg.entry.y_m);
   const Vec2 way = Vec2(leg.exit.x_m, leg.exit.y_m) - entry;
@@ -327,6 +316,17 @@ bool under(const data::Leg& leg, double half_width_m, const Vec2& p) {
 }
 
 }  // namespace
+
+/// Crossings of a ray to the east.
+bool within(const coverage::Ring& ring, const Vec2& p) {
+  bool inside = false;
+  for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
+    if ((ring[i].y() > p.y()) == (ring[j].y() > p.y())) continue;
+    const double share = (p.y() - ring[i].y()) / (ring[j].y() - ring[i].y());
+    if (p.x() < ring[i].x() + share * (ring[j].x() - ring[i].x())) inside = !inside;
+  }
+  return inside;
+}
 
 void write_polygons(const std::vector<coverage::Polygon>& fields, const std::string& file) {
   nlohmann::json features = nlohmann::json::array();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -31,8 +32,9 @@ struct RandomMission {
   std::vector<charger::Delay> delays;
   std::vector<charger::Loss> losses;  ///< of the robot's own battery
   std::vector<Silence> silences;
-  std::optional<double> robot_dies_s;  ///< it neither drives nor, perhaps, speaks from then on
-  std::string faults;                  ///< in words
+  std::function<bool(const Vec2&)> is_closed;  ///< to the robot; none: nowhere
+  std::optional<double> robot_dies_s;          ///< it neither drives nor, perhaps, speaks from then on
+  std::string faults;                          ///< in words
 };
 
 /// The first instant of a flight with less than the reserve.
@@ -53,6 +55,8 @@ struct MissionEnd {
   std::vector<std::string> robot_faults;  ///< in its own energy, and in where it drives
   int refills = 0;
 };
+
+bool within(const coverage::Ring& ring, const Vec2& p);
 
 void write_polygons(const std::vector<coverage::Polygon>& areas, const std::string& file);
 

@@ -44,6 +44,15 @@ void check_reason(const RandomMission& mission, const MissionEnd& end) {
     EXPECT_TRUE(!end.breaches.empty() && end.breaches.back().unavoidable) << status;
     return;
   }
+  if (says(end, "no way to where the aircraft landed")) {
+    const auto& at = end.summary["position"];
+    EXPECT_TRUE(mission.is_closed && mission.is_closed(Vec2(at[0], at[1]))) << status;
+    return;
+  }
+  if (status.find("waited in vain") != std::string::npos && says(end, "robot's battery holds")) {
+    EXPECT_TRUE(mission.scenario.coverage->charger.battery) << status;
+    return;
+  }
   if (says(end, "robot")) {
     EXPECT_TRUE(mission.robot_dies_s && *mission.robot_dies_s < ended_s) << "the robot is well: " << status;
     return;
