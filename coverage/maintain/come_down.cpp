@@ -104,6 +104,7 @@ void PlanKeeper::land_at_once(std::vector<Leg> legs, std::size_t before_landing,
   if (later) {
     Rendezvous meeting = meeting_at(docked, down_s, *later->first);
     meeting.id = exit_id(next - 1);
+    rest.legs.back().transfer_m = std::move(later->approach_m);
     rest.legs.insert(rest.legs.end(), later->legs.begin(), later->legs.end());
     rest.rendezvous = std::move(later->rendezvous);
     rest.rendezvous.insert(rest.rendezvous.begin(), meeting);

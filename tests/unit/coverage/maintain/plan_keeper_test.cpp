@@ -62,17 +62,17 @@ AircraftView on_leg(const LivePlan& plan, std::size_t leg, double share) {
 
 class Keeper : public testing::Test {
  protected:
-  /// Takes off and flies to the middle of a leg, then the battery turns out to hold this much.
-  static bool break_battery(PlanKeeper& keeper, std::size_t leg, double energy) {
+  /// Takes off and flies a share of a leg, then the battery turns out to hold this much.
+  static bool break_battery(PlanKeeper& keeper, std::size_t leg, double energy, double share = 0.5) {
     AircraftView start;
     start.position_m = Vec3(0.0, -5.0, 0.0);
     keeper.on_vehicle(start);
     keeper.on_battery({0.0, keeper.task().battery.capacity});
     for (std::size_t i = 0; i <= leg; ++i) {
-      for (int step = 0; step <= (i < leg ? 100 : 50); ++step)
-        keeper.on_vehicle(on_leg(keeper.plan(), i, 0.01 * step));
+      for (int step = 0; step <= 100; ++step)
+        keeper.on_vehicle(on_leg(keeper.plan(), i, 0.01 * step * (i < leg ? 1.0 : share)));
     }
-    return keeper.on_battery({on_leg(keeper.plan(), leg, 0.5).time_s, energy});
+    return keeper.on_battery({on_leg(keeper.plan(), leg, share).time_s, energy});
   }
 };
 
@@ -87,6 +87,32 @@ TEST_F(Keeper, WhatIsScheduledAnewFliesRoundHoles) {
         << keeper->plan().reason;
     EXPECT_LT(flown_within_hole_m(keeper->plan(), 1), 0.2) << keeper->plan().reason;
   }
+}
+
+/// Two meadows, with a wall between them that must not be flown over.
+TEST_F(Keeper, WhatComesAfterALandingAtOnceGoesRoundNoFlyAreas) {
+  Task task = holed_task();
+  task.fields = {{1, "west", {{{0, 0}, {60, 0}, {60, 60}, {0, 60}}, {}}, 20.0},
+                 {2, "east", {{{80, 0}, {140, 0}, {140, 60}, {80, 60}}, {}}, 20.0}};
+  task.no_fly.push_back({{{65, -40}, {75, -40}, {75, 50}, {65, 50}}, {}});
+  auto made = PlanKeeper::make(task, planner::Terrain::flat(0.0), {});
+  ASSERT_TRUE(made.ok()) << made.error().message;
+  std::size_t landings = 0;
+  for (std::size_t leg = 0; leg < made->plan().legs.size(); ++leg) {
+    PlanKeeper keeper = *made;
+    break_battery(keeper, leg, keeper.task().battery.reserve + 1.0, 0.999);
+    const LivePlan& plan = keeper.plan();
+    if (plan.reason.find("lands at once") == std::string::npos) continue;
+    ++landings;
+    for (std::size_t i = plan.legs_done; i + 1 < plan.legs.size(); ++i) {
+      const Vec3 from = plan.legs[i].exit_m;
+      const Vec3 way = plan.legs[i + 1].entry_m - from;
+      const double y_at_wall_m = from.y() + way.y() / way.x() * (70.0 - from.x());
+      const bool crosses = (from.x() < 70.0) != (from.x() + way.x() < 70.0) && y_at_wall_m < 49.0;
+      EXPECT_TRUE(!crosses || !plan.legs[i].transfer_m.empty()) << "broken on leg " << leg << ", after " << i;
+    }
+  }
+  EXPECT_GT(landings, 5U);
 }
 
 TEST_F(Keeper, ABatteryThatHoldsLessChangesWhatIsAheadOnly) {
