@@ -294,12 +294,14 @@ bool PlanKeeper::review_wait() {
   const double due_s = std::max(plan_.rendezvous.front().depart_s, landed_since_s_);
   if (vehicle_->time_s < due_s + kOverdue_s) return false;
   told_overdue_ = true;
-  const std::string since = std::to_string(std::lround(due_s)) + " s for the robot";
-  const bool silent = !robot_ || vehicle_->time_s - robot_->time_s > kOverdue_s;
-  note_revision("waits since " + since +
-                (silent ? ", which is silent"
-                        : (vehicle_->mode == AircraftMode::kDocked ? " to let it go" : " to come")));
+  note_revision("waits since " + std::to_string(std::lround(due_s)) + " s for " + what_holds_it_up());
   return true;
+}
+
+std::string PlanKeeper::what_holds_it_up() const {
+  if (!robot_ || vehicle_->time_s - robot_->time_s > kOverdue_s) return "the robot, which is silent";
+  if (vehicle_->mode != AircraftMode::kDocked) return "the robot to come";
+  return robot_->is_ready ? "a safe path from the robot" : "the robot to let it go";
 }
 
 /// What is given up is news, whether or not anything else has changed.

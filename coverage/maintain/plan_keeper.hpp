@@ -42,7 +42,8 @@ struct RobotView {
   Vec3 position_m = Vec3::Zero();
   bool has_vehicle = false;
   bool is_delayed = false;
-  double energy = 0.0;  ///< its own; of no matter where the task does not limit it
+  bool is_ready = false;  ///< lets the aircraft on board go
+  double energy = 0.0;    ///< its own; of no matter where the task does not limit it
 };
 
 struct KeeperParams {
@@ -153,6 +154,7 @@ class PlanKeeper {
   DownNow down_now() const;
   bool is_last_chance(const FlightCost& to_landing) const;
   bool review_wait();
+  std::string what_holds_it_up() const;
   bool review_ground();
   bool tell_no_plan();
   bool review_gaps();

@@ -238,8 +238,12 @@ AircraftView to_view(const data::VehicleState& state) {
 BatteryView to_view(const data::BatteryState& state) { return {state.time_s, state.energy, state.capacity}; }
 
 RobotView to_view(const data::ChargerState& state) {
-  return {state.time_s, to_vec(state.position), state.docked_vehicle_id != 0,
-          state.activity == data::ChargerActivity::kDelayed, state.energy};
+  return {.time_s = state.time_s,
+          .position_m = to_vec(state.position),
+          .has_vehicle = state.docked_vehicle_id != 0,
+          .is_delayed = state.activity == data::ChargerActivity::kDelayed,
+          .is_ready = state.activity == data::ChargerActivity::kReady,
+          .energy = state.energy};
 }
 
 PathView to_view(const data::PathPlan& plan) {

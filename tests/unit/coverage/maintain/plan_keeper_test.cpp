@@ -137,6 +137,42 @@ TEST_F(Keeper, ABatteryThatHoldsLessChangesWhatIsAheadOnly) {
     EXPECT_GE(meeting.energy_from, made->task().battery.reserve - 1e-6);
 }
 
+TEST_F(Keeper, LongPastItsTimeToLeaveItSaysWhatHoldsItUp) {
+  struct Case {
+    AircraftMode mode;
+    double heard_s;  ///< of the robot, before the end
+    bool is_ready;
+    const char* holder;
+  };
+  for (const Case& one : {Case{AircraftMode::kDocked, 0.0, true, "for a safe path from the robot"},
+                          Case{AircraftMode::kDocked, 0.0, false, "for the robot to let it go"},
+                          Case{AircraftMode::kLanded, 0.0, false, "for the robot to come"},
+                          Case{AircraftMode::kDocked, 130.0, true, "for the robot, which is silent"}}) {
+    auto made = PlanKeeper::make(holed_task(), planner::Terrain::flat(0.0), {});
+    ASSERT_TRUE(made.ok());
+    made->on_vehicle({.position_m = made->task().start_m});
+    for (int step = 0; step <= 100; ++step) made->on_vehicle(on_leg(made->plan(), 0, 0.01 * step));
+    const Rendezvous meeting = made->plan().rendezvous.front();
+    AircraftView landed;
+    landed.time_s = meeting.depart_s + 121.0;
+    landed.position_m = meeting.site_m;
+    landed.mode = one.mode;
+    landed.legs_done = legs_before(meeting.id);
+    made->on_robot({.time_s = landed.time_s - one.heard_s,
+                    .position_m = meeting.site_m,
+                    .has_vehicle = true,
+                    .is_ready = one.is_ready});
+    made->on_vehicle(landed);
+    landed.time_s += 130.0;
+    made->on_robot({.time_s = landed.time_s - one.heard_s,
+                    .position_m = meeting.site_m,
+                    .has_vehicle = true,
+                    .is_ready = one.is_ready});
+    EXPECT_TRUE(made->on_vehicle(landed));
+    EXPECT_NE(made->plan().reason.find(one.holder), std::string::npos) << made->plan().reason;
+  }
+}
+
 TEST_F(Keeper, AStripThatCannotBeFlownIsGivenUpWithAReason) {
   KeeperParams params;
   params.gap_tries = 0;
