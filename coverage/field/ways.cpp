@@ -12,8 +12,8 @@ namespace {
 
 using detail::FreeGround;
 
-/// Nothing is between places as near as this. A robot stops so near to where it was sent, with luck just
-/// beyond the border that the place is at.
+/// Nothing is between places as near as this, one of them beyond the border. A robot stops so near to where
+/// it was sent.
 constexpr double kBeside_m = 0.06;
 /// Bends of one stretch of free ground that ways are looked for with; beyond, near ones are taken together,
 /// and all are tried where no way is found so.
@@ -36,10 +36,13 @@ class Ways::Domain {
  public:
   Domain(std::vector<Ring> rings, FreeGround::Far far);
 
-  bool is_free(const Vec2& from, const Vec2& to) const { return ground_.is_free(from, to); }
+  bool is_free(const Vec2& from, const Vec2& to) const {
+    return is_beside(from, to) || ground_.is_free(from, to);
+  }
   std::optional<std::vector<Vec2>> corners(const Vec2& from, const Vec2& to);
 
  private:
+  bool is_beside(const Vec2& from, const Vec2& to) const;
   std::optional<Vec2> way_out(const Vec2& place) const;
   std::optional<std::vector<Vec2>> between(const Vec2& from, const Vec2& to);
 
@@ -67,6 +70,10 @@ std::optional<std::vector<Vec2>> Ways::Domain::between(const Vec2& from, const V
   return whole_->way(from, to);
 }
 
+bool Ways::Domain::is_beside(const Vec2& from, const Vec2& to) const {
+  return (to - from).norm() < kBeside_m && !(ground_.contains(from) && ground_.contains(to));
+}
+
 /// From within what is not crossed the straight way to the nearest place beside it; nothing where it is free.
 std::optional<Vec2> Ways::Domain::way_out(const Vec2& place) const {
   if (ground_.contains(place)) return std::nullopt;
@@ -77,6 +84,7 @@ std::optional<Vec2> Ways::Domain::way_out(const Vec2& place) const {
 }
 
 std::optional<std::vector<Vec2>> Ways::Domain::corners(const Vec2& from, const Vec2& to) {
+  if (is_beside(from, to)) return std::vector<Vec2>();
   const std::optional<Vec2> out_of = way_out(from);
   const std::optional<Vec2> into = way_out(to);
   auto found = between(out_of.value_or(from), into.value_or(to));
@@ -142,7 +150,7 @@ Ways::Domain* Ways::domain_of(const Vec2& from, const Vec2& to) const {
 }
 
 std::optional<std::vector<Vec2>> Ways::corners(const Vec2& from, const Vec2& to) const {
-  if (open_ == nullptr || (to - from).norm() < kBeside_m) return std::vector<Vec2>();
+  if (open_ == nullptr) return std::vector<Vec2>();
   if (last_ && last_->from_m == from && last_->to_m == to) return last_->corners_m;
   Domain* domain = domain_of(from, to);
   auto found = domain->corners(from, to);
@@ -152,7 +160,6 @@ std::optional<std::vector<Vec2>> Ways::corners(const Vec2& from, const Vec2& to)
 }
 
 bool Ways::is_free(const Vec2& from, const Vec2& to) const {
-  if ((to - from).norm() < kBeside_m) return true;
   const Domain* domain = domain_of(from, to);
   return domain == nullptr || domain->is_free(from, to);
 }

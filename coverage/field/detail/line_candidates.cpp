@@ -20,11 +20,12 @@ constexpr int kMostBeside = 12;
 /// How much better a candidate may look by chance.
 constexpr double kNoise = 0.35;
 constexpr double kBetter_m = 1e-6;
+constexpr double kFar = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
 CandidateLines::CandidateLines(const Polygon& polygon, double width_m)
-    : polygon_(polygon), width_m_(width_m) {
+    : rings_(rings_of(polygon)), width_m_(width_m) {
   add_borders(polygon.outline);
   for (const Ring& hole : polygon.holes) add_borders(hole);
 }
@@ -49,14 +50,17 @@ void CandidateLines::add_borders(const Ring& ring) {
     const double nearest = std::min(depth.to + kInside_m, farthest);
     for (const double offset : {farthest, (nearest + farthest) / 2.0, nearest}) {
       const Line line{border.origin_m + inwards * offset, border.along};
-      borders_.push_back({line, inside_of(polygon_, line)});
+      borders_.push_back({line, inside_of(rings_, line)});
     }
   }
 }
 
 void CandidateLines::add_stretches(const Stretches& stretches, const OpenGround& open,
                                    std::vector<Candidate>& out) const {
+  const Band whole{stretches.line, {-kFar, kFar}, width_m_ / 2.0};
+  if (!open.may_meet(whole)) return;
   for (const Interval& inside : stretches.inside) {
+    if (!open.may_meet({stretches.line, inside, width_m_ / 2.0})) continue;
     const double most_m2 = open.area_near({stretches.line, inside, width_m_ / 2.0});
     if (most_m2 <= 0.0) continue;
     out.push_back({stretches.line, inside, nullptr, most_m2, 1.0, {stretches.line, inside, width_m_}});
@@ -64,14 +68,14 @@ void CandidateLines::add_stretches(const Stretches& stretches, const OpenGround&
 }
 
 void CandidateLines::add_line(const Line& line, const OpenGround& open, std::vector<Candidate>& out) const {
-  add_stretches({line, inside_of(polygon_, line)}, open, out);
+  add_stretches({line, inside_of(rings_, line)}, open, out);
 }
 
 /// Side by side from either end of what is open.
 void CandidateLines::add_direction(const Vec2& along, const OpenGround& open,
                                    std::vector<Candidate>& out) const {
   const Vec2 left(-along.y(), along.x());
-  Interval across{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+  Interval across{kFar, -kFar};
   for (const Patch& patch : open.patches()) {
     for (std::size_t i = 0; i < patch.size; ++i) {
       const double at = left.dot(patch.corners[i]);
@@ -93,7 +97,7 @@ Candidate CandidateLines::drawn_on(const PiecePtr& base, const Interval& limits)
 /// A line that grazes a corner may come out as two: neither is the piece drawn on.
 void CandidateLines::add_drawn_on(const PiecePtr& piece, std::vector<Candidate>& out) const {
   const double length = piece->segment.length_m();
-  for (const Interval& inside : inside_of(polygon_, piece->band.line)) {
+  for (const Interval& inside : inside_of(rings_, piece->band.line)) {
     if (inside.from > kBetter_m || inside.to < length - kBetter_m) continue;
     out.push_back(drawn_on(piece, {std::min(inside.from, 0.0), std::max(inside.to, length)}));
   }

@@ -4,6 +4,7 @@
 
 #include "coverage/field/detail/line_cover.hpp"
 #include "coverage/field/detail/line_gain.hpp"
+#include "coverage/field/detail/ring_tree.hpp"
 #include "planner/base/rng.hpp"
 
 namespace swallowtail::coverage::detail {
@@ -43,7 +44,7 @@ class CandidateLines {
   void add_direction(const Vec2& along, const OpenGround& open, std::vector<Candidate>& out) const;
   void add_drawn_on(const PiecePtr& piece, std::vector<Candidate>& out) const;
 
-  const Polygon& polygon_;
+  RingTree rings_;
   double width_m_;
   std::vector<Stretches> borders_;  ///< kOffsets of each stretch of border
 };

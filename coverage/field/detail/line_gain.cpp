@@ -16,11 +16,13 @@ LineInView::LineInView(const Line& line, const Interval& limits, double width_m)
 void LineInView::look(const OpenGround& ground) {
   const std::vector<Patch>& patches = ground.patches();
   std::erase_if(seen_, [&](const Seen& seen) { return !ground.is_open(seen.patch); });
+  const std::size_t known = seen_.size();
   for (; looked_ < patches.size(); ++looked_) {
     if (!ground.is_open(looked_) || !may_meet(band_, patches[looked_])) continue;
     const BandPart part = part_in_band(patches[looked_], band_);
     if (part.area_m2 > 0.0) seen_.push_back({part.extent, part.area_m2, looked_});
   }
+  if (seen_.size() == known) return;
   std::sort(seen_.begin(), seen_.end(), [](const Seen& a, const Seen& b) {
     return a.extent.from != b.extent.from ? a.extent.from < b.extent.from : a.patch < b.patch;
   });

@@ -16,26 +16,17 @@ constexpr double kSurelyFree_m = 0.5;
 constexpr double kDetourLength = 0.3;
 constexpr double kDetourStops = 0.5;
 
-bool crosses(const Ring& ring, const Vec2& from, const Vec2& to) {
-  const Vec2 way = to - from;
-  double before = cross(way, ring.back() - from);
-  for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
-    const double here = cross(way, ring[i] - from);
-    if ((before > 0.0) != (here > 0.0)) {
-      const Vec2 edge = ring[i] - ring[j];
-      if ((cross(edge, from - ring[j]) > 0.0) != (cross(edge, to - ring[j]) > 0.0)) return true;
-    }
-    before = here;
-  }
-  return false;
-}
-
 bool is_convex(const Ring& ring) {
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const Vec2& at = ring[(i + 1) % ring.size()];
     if (cross(at - ring[i], ring[(i + 2) % ring.size()] - at) < 0.0) return false;
   }
   return true;
+}
+
+/// What a straight way between lines may cross.
+std::vector<Ring> solids_of(const Polygon& polygon) {
+  return is_convex(polygon.outline) ? polygon.holes : rings_of(polygon);
 }
 
 TourLeg turned_leg(const TourLeg& leg) { return {leg.line, leg.exit_m, leg.entry_m, -leg.along, 0.0}; }
@@ -47,26 +38,11 @@ TourLeg leg_of(int line, const Segment& segment) {
 }
 
 LinkCosts::LinkCosts(const Polygon& polygon, const TurnCost& turn)
-    : stop_m_(turn.stop_m), least_cos_(std::cos(turn.turn_max_rad) - 1e-9) {
-  for (const Ring& hole : polygon.holes) solids_.push_back({bounds_of(hole), hole});
-  if (!is_convex(polygon.outline)) solids_.push_back({bounds_of(polygon.outline), polygon.outline});
-}
-
-bool LinkCosts::is_free(const Vec2& from, const Vec2& to) const {
-  const Vec2 lo = from.cwiseMin(to);
-  const Vec2 hi = from.cwiseMax(to);
-  for (const Solid& solid : solids_) {
-    if (solid.box.lo.x() > hi.x() || solid.box.hi.x() < lo.x() || solid.box.lo.y() > hi.y() ||
-        solid.box.hi.y() < lo.y())
-      continue;
-    if (crosses(solid.ring, from, to)) return false;
-  }
-  return true;
-}
+    : stop_m_(turn.stop_m), least_cos_(std::cos(turn.turn_max_rad) - 1e-9), solids_(solids_of(polygon)) {}
 
 double LinkCosts::link_m(const TourLeg& from, const TourLeg& to) const {
   const double length = (to.entry_m - from.exit_m).norm();
-  if (length < kSurelyFree_m || is_free(from.exit_m, to.entry_m)) return open_m(from, to);
+  if (length < kSurelyFree_m || !solids_.crosses(from.exit_m, to.entry_m)) return open_m(from, to);
   return (1.0 + kDetourLength) * length + (2.0 + kDetourStops) * stop_m_;
 }
 

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "coverage/field/detail/lines.hpp"
+#include "coverage/field/detail/ring_tree.hpp"
 #include "coverage/field/polygon.hpp"
 #include "coverage/field/turn_cost.hpp"
 
@@ -36,15 +37,10 @@ class LinkCosts {
 
  private:
   static constexpr double kSamePlace_m = 1e-6;
-  struct Solid {
-    Box box;
-    Ring ring;
-  };
-  bool is_free(const Vec2& from, const Vec2& to) const;
 
   double stop_m_;
   double least_cos_;
-  std::vector<Solid> solids_;
+  RingTree solids_;
 };
 
 /// An open tour over lines, each flown once, from any end of any to any other. It stays near a local optimum

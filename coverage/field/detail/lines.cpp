@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace swallowtail::coverage::detail {
 namespace {
@@ -64,6 +65,10 @@ std::vector<Interval> inside_of(const Polygon& polygon, const Line& line) {
   std::vector<double> crossings;
   add_crossings(polygon.outline, line, crossings);
   for (const Ring& hole : polygon.holes) add_crossings(hole, line, crossings);
+  return inside_between(std::move(crossings));
+}
+
+std::vector<Interval> inside_between(std::vector<double> crossings) {
   std::sort(crossings.begin(), crossings.end());
   std::vector<Interval> out;
   for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) {

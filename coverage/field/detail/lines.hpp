@@ -49,6 +49,9 @@ inline constexpr double kInside_m = 1e-3;
 /// the others drawn in by kInside_m.
 std::vector<Interval> inside_of(const Polygon& polygon, const Line& line);
 
+/// The same, by where the line crosses the polygon's rings.
+std::vector<Interval> inside_between(std::vector<double> crossings);
+
 /// The rectangle that is seen from a segment: half a width to each side, kInside_m beyond the ends.
 Ring seen_from(const Segment& segment, double width_m);
 

@@ -9,6 +9,7 @@
 namespace swallowtail::coverage::detail {
 namespace {
 
+constexpr double kRounding_m = 1e-6;
 /// Smaller patches are nothing.
 constexpr double kNothing_m2 = 1e-5;
 constexpr double kSlab_m = 1e-9;
@@ -271,6 +272,20 @@ void add_remains(const Patch& patch, std::span<const Planes* const> bands, std::
   out.push_back(patch);
 }
 
+OpenGround::OpenGround(std::vector<Patch> patches) : patches_(std::move(patches)), open_(patches_.size(), 1) {
+  if (patches_.empty()) return;
+  Box box{patches_.front().middle_m, patches_.front().middle_m};
+  for (const Patch& patch : patches_) {
+    box.lo = box.lo.cwiseMin(patch.middle_m);
+    box.hi = box.hi.cwiseMax(patch.middle_m);
+  }
+  all_.middle_m = (box.lo + box.hi) / 2.0;
+  for (const Patch& patch : patches_) {
+    all_.radius_m =
+        std::max(all_.radius_m, (patch.middle_m - all_.middle_m).norm() + patch.radius_m + kRounding_m);
+  }
+}
+
 void OpenGround::subtract(const Band& band) {
   const Planes planes = planes_of(band);
   const std::size_t count = patches_.size();
@@ -292,7 +307,7 @@ double OpenGround::area_m2() const {
 double OpenGround::area_near(const Band& band) const {
   double sum = 0.0;
   for (std::size_t i = 0; i < patches_.size(); ++i)
-    sum += open_[i] != 0 && may_meet(band, patches_[i]) ? patches_[i].area_m2 : 0.0;
+    sum += open_[i] != 0 && detail::may_meet(band, patches_[i]) ? patches_[i].area_m2 : 0.0;
   return sum;
 }
 

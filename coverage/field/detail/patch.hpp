@@ -61,18 +61,21 @@ void add_remains(const Patch& patch, std::span<const Planes* const> bands, std::
 /// comes after all others, so that who has looked at the first of them need only look at the rest.
 class OpenGround {
  public:
-  explicit OpenGround(std::vector<Patch> patches) : patches_(std::move(patches)), open_(patches_.size(), 1) {}
+  explicit OpenGround(std::vector<Patch> patches);
 
   void subtract(const Band& band);
   const std::vector<Patch>& patches() const { return patches_; }
   bool is_open(std::size_t patch) const { return open_[patch] != 0; }
   double area_m2() const;
+  /// False where the band meets none of the patches, by a circle around all.
+  bool may_meet(const Band& band) const { return detail::may_meet(band, all_); }
   /// Of the open patches that the band may meet, told by their circles.
   double area_near(const Band& band) const;
 
  private:
   std::vector<Patch> patches_;
   std::vector<char> open_;
+  Patch all_;  ///< no more than its circle
 };
 
 /// Area of a patch in the band and its extent along the line.

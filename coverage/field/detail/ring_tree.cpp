@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace swallowtail::coverage::detail {
 namespace {
@@ -20,6 +21,12 @@ bool is_aside(const Box& box, const Line& line) {
 }
 
 }  // namespace
+
+std::vector<Ring> rings_of(const Polygon& polygon) {
+  std::vector<Ring> out{polygon.outline};
+  out.insert(out.end(), polygon.holes.begin(), polygon.holes.end());
+  return out;
+}
 
 RingTree::RingTree(const std::vector<Ring>& rings) {
   std::vector<Span> spans;
@@ -79,6 +86,18 @@ void RingTree::add_edges(std::size_t first, std::size_t last) {
   nodes_[at].past = nodes_.size();
 }
 
+void RingTree::add_crossings_of(const Node& leaf, const Line& line, std::vector<double>& crossings) const {
+  double left_a = line.left_of(vertices_[leaf.first]);
+  for (std::size_t i = leaf.first + 1; i <= leaf.last; ++i) {
+    const double left_b = line.left_of(vertices_[i]);
+    if ((left_a > 0.0) != (left_b > 0.0)) {
+      const double a = line.along_of(vertices_[i - 1]);
+      crossings.push_back(a + (line.along_of(vertices_[i]) - a) * left_a / (left_a - left_b));
+    }
+    left_a = left_b;
+  }
+}
+
 bool RingTree::add_crossings(const Vec2& from, const Vec2& to, std::vector<double>& crossings) const {
   const Line line = line_through(from, to);
   const Vec2 lo = from.cwiseMin(to);
@@ -105,17 +124,55 @@ bool RingTree::add_crossings(const Vec2& from, const Vec2& to, std::vector<doubl
     }
     ++n;
     if (!node.is_leaf) continue;
-    double left_a = line.left_of(vertices_[node.first]);
-    for (std::size_t i = node.first + 1; i <= node.last; ++i) {
-      const double left_b = line.left_of(vertices_[i]);
-      if ((left_a > 0.0) != (left_b > 0.0)) {
-        const double a = line.along_of(vertices_[i - 1]);
-        crossings.push_back(a + (line.along_of(vertices_[i]) - a) * left_a / (left_a - left_b));
-      }
-      left_a = left_b;
-    }
+    add_crossings_of(node, line, crossings);
   }
   return odd;
+}
+
+void RingTree::add_crossings(const Line& line, std::vector<double>& crossings) const {
+  for (std::size_t n = 0; n < nodes_.size();) {
+    const Node& node = nodes_[n];
+    const bool aside = is_aside(node.box, line);
+    if (!aside && node.is_leaf) add_crossings_of(node, line, crossings);
+    n = aside ? node.past : n + 1;
+  }
+}
+
+bool RingTree::crosses(const Vec2& from, const Vec2& to) const {
+  const Vec2 way = to - from;
+  const double length = way.norm();
+  if (!(length > 0.0)) return false;
+  const Line line{from, way / length};
+  const Vec2 lo = from.cwiseMin(to);
+  const Vec2 hi = from.cwiseMax(to);
+  for (std::size_t n = 0; n < nodes_.size();) {
+    const Node& node = nodes_[n];
+    const bool beside = node.box.lo.x() > hi.x() || node.box.hi.x() < lo.x() || node.box.lo.y() > hi.y() ||
+                        node.box.hi.y() < lo.y();
+    if (beside || is_aside(node.box, line)) {
+      n = node.past;
+      continue;
+    }
+    ++n;
+    if (!node.is_leaf) continue;
+    double before = cross(way, vertices_[node.first] - from);
+    for (std::size_t i = node.first + 1; i <= node.last; ++i) {
+      const double here = cross(way, vertices_[i] - from);
+      if ((before > 0.0) != (here > 0.0)) {
+        const Vec2 edge = vertices_[i] - vertices_[i - 1];
+        if ((cross(edge, from - vertices_[i - 1]) > 0.0) != (cross(edge, to - vertices_[i - 1]) > 0.0))
+          return true;
+      }
+      before = here;
+    }
+  }
+  return false;
+}
+
+std::vector<Interval> inside_of(const RingTree& rings, const Line& line) {
+  std::vector<double> crossings;
+  rings.add_crossings(line, crossings);
+  return inside_between(std::move(crossings));
 }
 
 }  // namespace swallowtail::coverage::detail

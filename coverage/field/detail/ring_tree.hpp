@@ -8,6 +8,9 @@
 
 namespace swallowtail::coverage::detail {
 
+/// The outline, then the holes.
+std::vector<Ring> rings_of(const Polygon& polygon);
+
 /// Rings in a tree of boxes: what a segment crosses is found among its near edges.
 class RingTree {
  public:
@@ -17,6 +20,10 @@ class RingTree {
   /// crossings between the two and some beyond. Returns whether those left out before `from` are odd in
   /// number. The same edges are told crossed as by looking at each.
   bool add_crossings(const Vec2& from, const Vec2& to, std::vector<double>& crossings) const;
+  /// Adds how far along the line rings cross it, unordered.
+  void add_crossings(const Line& line, std::vector<double>& crossings) const;
+  /// Whether an edge crosses the segment.
+  bool crosses(const Vec2& from, const Vec2& to) const;
 
  private:
   /// Of the tree, in preorder: of consecutive edges of one ring, or of whole rings.
@@ -35,10 +42,14 @@ class RingTree {
 
   void add_rings(std::vector<Span>& rings, std::size_t first, std::size_t past);
   void add_edges(std::size_t first, std::size_t last);
+  void add_crossings_of(const Node& leaf, const Line& line, std::vector<double>& crossings) const;
   Box box_of(std::size_t first, std::size_t last) const;
 
   std::vector<Vec2> vertices_;  ///< ring after ring, each with its first again at its end
   std::vector<Node> nodes_;
 };
+
+/// As of the polygon whose rings they are.
+std::vector<Interval> inside_of(const RingTree& rings, const Line& line);
 
 }  // namespace swallowtail::coverage::detail
