@@ -20,7 +20,9 @@ class Descent {
 
   /// Until nothing that was touched can be made better.
   void run();
-  bool stopped() const { return params_.stop.reached(evaluations_, 0); }
+  bool stopped() const {
+    return params_.stop.reached(evaluations_, 0) || (value_ && value_->flights() >= params_.flights);
+  }
 
   /// The visits from `first` on become these, better or not; what stands there is looked at again.
   void put(std::size_t first, std::span<const Visit> visits);

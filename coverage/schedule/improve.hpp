@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "coverage/schedule/graph.hpp"
@@ -18,6 +19,8 @@ struct ImproveParams {
   StopParams stops;
   Aim aim = Aim::kSchedule;
   StopCondition stop;  ///< evaluations: schedules looked at (none with kFlight)
+  /// Looked at by schedules, besides: those of short legs take long.
+  std::uint64_t flights = std::numeric_limits<std::uint64_t>::max();
   std::uint64_t kicks = 0;
   std::size_t first_free = 0;  ///< visits before it stay where they are
   std::uint64_t seed = 1;

@@ -14,6 +14,7 @@ struct Budget {
   int plain_vertices;          ///< largest graph without levels
   std::uint64_t iterations;    ///< of the layered search
   std::uint64_t schedules;     ///< looked at by the local search
+  std::uint64_t flights;       ///< in these
   std::uint64_t kicks;         ///< of the local search, per sub-cell
   std::uint64_t flight_kicks;  ///< of the search by flight alone, per sub-cell
 };
@@ -28,13 +29,19 @@ constexpr std::size_t kLeastInTour = 16;
 Budget budget_of(gtsp::Mode mode) {
   switch (mode) {
     case gtsp::Mode::kFast:
-      return {0, 500, 4'000, 20'000, 1, 5};
+      return {0, 500, 4'000, 20'000, 100'000'000, 1, 5};
     case gtsp::Mode::kDefault:
-      return {3000, 2000, 20'000, 200'000, 10, 50};
+      return {3000, 2000, 20'000, 200'000, 1'000'000'000, 10, 50};
     case gtsp::Mode::kSlow:
-      return {6000, 4000, std::numeric_limits<std::uint64_t>::max(), 10'000'000, 200, 500};
+      return {6000,
+              4000,
+              std::numeric_limits<std::uint64_t>::max(),
+              10'000'000,
+              std::numeric_limits<std::uint64_t>::max(),
+              200,
+              500};
   }
-  return {0, 500, 4'000, 20'000, 1, 5};
+  return {0, 500, 4'000, 20'000, 100'000'000, 1, 5};
 }
 
 class OrderSearch {
@@ -240,6 +247,7 @@ Result<Order> OrderSearch::run() {
   params.stops = stop_params(task_, options_);
   params.stop = options_.stop;
   params.stop.max_evaluations = std::min(params.stop.max_evaluations, budget_.schedules);
+  params.flights = budget_.flights;
   params.kicks = recharges ? budget_.kicks * cells_.size() : 0;
   params.seed = options_.seed;
   ImproveReport improved = improve_order(cells_, best_, start_, links_, params);

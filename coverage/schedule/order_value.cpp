@@ -49,14 +49,14 @@ double OrderValue::handling_s(std::size_t to) const {
 /// See StopPlanner::Search::fly. False when even a full battery does not do.
 bool OrderValue::make_flight(std::size_t from, std::size_t to, const Cost& air, Flight& out) const {
   const Battery& battery = params_.battery;
-  const Charger& charger = params_.charger;
   const bool ends = to == end_node();
-  const double at_once = battery.reserve + air.energy * params_.energy_factor + params_.spare;
+  const double at_once = least_needs(air);
   if (at_once > battery.capacity + kRounding) return false;
   const double drive = ends ? 0.0 : drive_s(site(from), site(to));
   if (!std::isfinite(drive)) return false;
   const double grounded =
-      ends ? 0.0 : battery.model.landed_per_s * (std::max(0.0, drive - air.time_s) + charger.landing_s);
+      ends ? 0.0
+           : battery.model.landed_per_s * (std::max(0.0, drive - air.time_s) + params_.charger.landing_s);
   out.needs = at_once + grounded;
   if (out.needs > battery.capacity + kRounding) return false;
   out.consumes = air.energy + grounded;
@@ -98,6 +98,7 @@ void OrderValue::for_each_flight_from(std::size_t node, std::size_t least_to, co
     reach_.push_back(air);
     air += at.hop;
   }
+  flights_ += reach_.size();
   for (std::size_t last = first + reach_.size(); last-- > first;) {
     const Cost& flown = reach_[last - first];
     const std::size_t exit = 2 * last + 1;
@@ -107,23 +108,25 @@ void OrderValue::for_each_flight_from(std::size_t node, std::size_t least_to, co
   }
 }
 
-/// take(node, cost in the air), of the nodes from which this one is reached.
+/// take(node, cost in the air), of the nodes from which this one is reached, the farthest first.
 template <class Take>
 void OrderValue::for_each_flight_to(std::size_t node, const Take& take) const {
   const double most = most_flown();
   const std::size_t last = last_leg(node);
   const Cost down = landing(node);
+  reach_.clear();
   Cost through = step(last).cover;
-  for (std::size_t first = last;; --first) {
-    if (through.energy > most) return;
-    if (first > 0) {
-      take(2 * first, lift(2 * first) + through + down);
-      take(2 * first - 1, lift(2 * first - 1) + through + down);
-    } else {
-      take(0, lift(0) + through + down);
-      return;
-    }
+  for (std::size_t first = last; through.energy <= most; --first) {
+    reach_.push_back(through);
+    if (first == 0) break;
     through = step(first - 1).cover + step(first - 1).hop + through;
+  }
+  flights_ += reach_.size();
+  for (std::size_t back = reach_.size(); back-- > 0;) {
+    const std::size_t first = last - back;
+    const Cost& flown = reach_[back];
+    if (first > 0) take(2 * first - 1, lift(2 * first - 1) + flown + down);
+    take(2 * first, lift(2 * first) + flown + down);
   }
 }
 
@@ -152,6 +155,7 @@ void OrderValue::add_label(Points& to, double time_s, double energy) const {
       to.all, [&](const Point& p) { return time_s + price * std::max(0.0, p.energy - energy) <= p.time_s; });
   to.all.push_back({time_s, energy});
   to.least_time_s = std::min(to.least_time_s, time_s);
+  to.least_priced_s = std::min(to.least_priced_s, time_s - price * energy);
 }
 
 /// Docked at a node, what is left: over all flights from there, and being carried.
@@ -168,14 +172,15 @@ void OrderValue::compute_value(std::size_t node, Points& out) const {
     const Points& next = value(to);
     Flight flight;
     if (next.all.empty()) return;
-    if (!out.all.empty()) {
-      // Whatever is made of it, the best so far needs no more time and no more energy.
-      const double time_s = air.time_s + handling_s(to) + next.least_time_s;
-      const double priced_s = air.time_s + handling_s(to) + next.least_priced_s + price * air.energy;
-      const Point& best = out.all.front();
-      if (best.time_s <= time_s && best.time_s + price * best.energy <= priced_s) return;
-    }
-    if (!make_flight(node, to, air, flight)) return;
+    // Whatever is made of it, one of those so far needs no more time and no more energy.
+    const double flown_s = air.time_s + handling_s(to);
+    const double time_s = flown_s + next.least_time_s;
+    const double priced_s = flown_s + std::max(next.least_priced_s + price * air.energy,
+                                               next.least_time_s + price * least_needs(air));
+    const bool is_beaten = std::ranges::any_of(out.all, [&](const Point& p) {
+      return p.time_s <= time_s && p.time_s + price * p.energy <= priced_s;
+    });
+    if (is_beaten || !make_flight(node, to, air, flight)) return;
     for (const Point& p : next.all)
       add_corner(out, flight.time_s + p.time_s, std::max(flight.needs, p.energy + flight.consumes));
   };
@@ -192,15 +197,25 @@ void OrderValue::compute_labels(std::size_t node, Points& out) const {
   const double price = params_.battery.charge_s_per_unit;
   out.all.clear();
   out.least_time_s = kInfinity;
+  out.least_priced_s = kInfinity;
   const auto take = [&](std::size_t from, const Cost& air) {
     if (from == 0 && !is_docked()) {
       Point docked{};
       if (first_flight(node, air, docked)) add_label(out, docked.time_s, docked.energy);
       return;
     }
+    const Points& before = labels_[from];
     Flight flight;
-    if (labels_[from].all.empty() || !make_flight(from, node, air, flight)) return;
-    for (const Point& p : labels_[from].all) {
+    if (before.all.empty()) return;
+    const double flown_s = air.time_s + handling_s(node);
+    const double priced_s = flown_s + before.least_priced_s + price * air.energy;
+    const double time_s =
+        flown_s + std::max(before.least_time_s, before.least_priced_s + price * least_needs(air));
+    const bool is_beaten = std::ranges::any_of(out.all, [&](const Point& p) {
+      return p.time_s <= time_s && p.time_s - price * p.energy <= priced_s;
+    });
+    if (is_beaten || !make_flight(from, node, air, flight)) return;
+    for (const Point& p : before.all) {
       const double charged = std::max(0.0, flight.needs - p.energy);
       add_label(out, p.time_s + price * charged + flight.time_s, p.energy + charged - flight.consumes);
     }

@@ -27,6 +27,8 @@ class OrderValue {
   const std::vector<RouteLeg>& legs() const { return legs_; }
   /// Infinite when no schedule exists.
   double end_s() const { return end_s_; }
+  /// Looked at so far, to tell how much work it was: the shorter the legs, the more of them hang on a change.
+  std::uint64_t flights() const { return flights_; }
 
   /// The end if these legs stood in place of as many from `first` on; infinite when it is not below cutoff_s.
   double end_with(std::size_t first, std::span<const RouteLeg> legs, double cutoff_s);
@@ -68,7 +70,8 @@ class OrderValue {
   struct Points {
     std::vector<Point> all;
     double least_time_s = std::numeric_limits<double>::infinity();
-    double least_priced_s = std::numeric_limits<double>::infinity();  ///< time and the energy's price
+    double least_priced_s =
+        std::numeric_limits<double>::infinity();  ///< time and the energy's price; of labels, less its price
   };
   /// From docked (or from the start) to docked (or to the end).
   struct Flight {
@@ -99,6 +102,10 @@ class OrderValue {
   Cost landing(std::size_t node) const;
   double drive_s(const Vec2& from, const Vec2& to) const;
   double handling_s(std::size_t to) const;
+  /// On take-off, for what is flown until the landing.
+  double least_needs(const Cost& air) const {
+    return params_.battery.reserve + air.energy * params_.energy_factor + params_.spare;
+  }
   double most_flown() const { return params_.battery.capacity - params_.battery.reserve; }
 
   bool make_flight(std::size_t from, std::size_t to, const Cost& air, Flight& out) const;
@@ -144,6 +151,7 @@ class OrderValue {
   Cost changed_lift_;
   bool is_lift_changed_ = false;
   mutable std::vector<Cost> reach_;
+  mutable std::uint64_t flights_ = 0;
   mutable Points scratch_;
 };
 
