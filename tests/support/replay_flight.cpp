@@ -104,7 +104,9 @@ void ReplayFlight::fly_to(const Vec3& place_m) {
   const double speed = level           ? limits.cruise_speed_mps
                        : way.z() > 0.0 ? limits.climb_speed_mps
                                        : limits.descent_speed_mps;
-  spend(way.norm() / speed, way.normalized() * speed);
+  // A hair's breadth aside does not make it level flight in what it takes either.
+  const Vec3 heading = level ? Vec3(way.normalized()) : Vec3(0.0, 0.0, way.z() > 0.0 ? 1.0 : -1.0);
+  spend(way.norm() / speed, heading * speed);
   flown_m += way.norm();
   at_m = place_m;
   before_ = way;
