@@ -73,20 +73,26 @@ void add_headland(const Polygon& turned, const StripParams& params, Cut& out) {
   }
 }
 
+/// What is prolonged: a polygon, also as a shape, and where its lines may not go. In the frame of the lines.
+struct Ground {
+  const Polygon& polygon;
+  const detail::Shape& shape;
+  const std::vector<Polygon>& closed;
+};
+
 /// Over a slanted border a line is prolonged until half a sensor sideways sees what hangs on it.
-void prolong(const Polygon& turned, const detail::Shape& field, double y, double width_m,
-             std::vector<detail::Interval>& lines) {
-  const Box box = bounds_of(turned.outline);
+void prolong(const Ground& ground, double y, double width_m, std::vector<detail::Interval>& lines) {
+  const Box box = bounds_of(ground.polygon.outline);
   const detail::Line line{Vec2(0.0, y), Vec2(1.0, 0.0)};
-  const auto crosses_hole = [&](double from, double to) {
-    return std::any_of(turned.holes.begin(), turned.holes.end(), [&](const Ring& hole) {
-      const auto inside = detail::inside_of({hole, {}}, line);
+  const auto is_closed = [&](double from, double to) {
+    return std::any_of(ground.closed.begin(), ground.closed.end(), [&](const Polygon& closed) {
+      const auto inside = detail::inside_of(closed, line);
       return std::any_of(inside.begin(), inside.end(),
                          [&](const detail::Interval& i) { return i.from < to && i.to > from; });
     });
   };
   const Box slab{{box.lo.x() - 1.0, y - width_m / 2.0}, {box.hi.x() + 1.0, y + width_m / 2.0}};
-  for (const Polygon& part : field.within(slab).parts()) {
+  for (const Polygon& part : ground.shape.within(slab).parts()) {
     const Box extent = bounds_of(part.outline);
     detail::Interval* first = nullptr;
     detail::Interval* last = nullptr;
@@ -96,13 +102,14 @@ void prolong(const Polygon& turned, const detail::Shape& field, double y, double
       last = &i;
     }
     if (first == nullptr) continue;
-    if (!crosses_hole(extent.lo.x(), first->from)) first->from = std::min(first->from, extent.lo.x());
-    if (!crosses_hole(last->to, extent.hi.x())) last->to = std::max(last->to, extent.hi.x());
+    if (!is_closed(extent.lo.x(), first->from)) first->from = std::min(first->from, extent.lo.x());
+    if (!is_closed(last->to, extent.hi.x())) last->to = std::max(last->to, extent.hi.x());
   }
 }
 
 /// The centre lines of the strips of an area, where they run inside it.
-Status add_lines(const Polygon& area, const StripParams& params, Cut& out) {
+Status add_lines(const Polygon& area, const StripParams& params, const std::vector<Polygon>& closed,
+                 Cut& out) {
   const Box box = bounds_of(area.outline);
   const double extent = box.hi.y() - box.lo.y();
   const int count = strip_count(extent, spacing_m(params));
@@ -117,7 +124,7 @@ Status add_lines(const Polygon& area, const StripParams& params, Cut& out) {
     const double y = box.lo.y() + (s + 0.5) * out.width_m;
     const detail::Line line{Vec2(0.0, y), Vec2(1.0, 0.0)};
     std::vector<detail::Interval> inside = detail::inside_of(area, line);
-    if (prolongs) prolong(area, shape, y, out.width_m, inside);
+    if (prolongs) prolong({area, shape, closed}, y, out.width_m, inside);
     for (const detail::Interval& i : inside) out.pieces.push_back(line.piece(i, out.count + s));
   }
   out.count += count;
@@ -163,14 +170,24 @@ Status add_rest(const StripParams& params, Lines& lines) {
   return {};
 }
 
+/// Where no line goes that leaves the polygon, in its frame.
+std::vector<Polygon> closed_to(const Polygon& turned, const StripParams& params, double sweep_rad) {
+  std::vector<Polygon> out;
+  if (params.beyond == Beyond::kNever) return out;
+  for (const Ring& hole : turned.holes) out.push_back({hole, {}});
+  for (const Polygon& closed : params.closed) out.push_back(rotated(closed, -sweep_rad));
+  return out;
+}
+
 Result<Lines> lines_along(const Polygon& polygon, const StripParams& params, double sweep_rad) {
   Lines out{sweep_rad, rotated(polygon, -sweep_rad), {}};
+  const std::vector<Polygon> closed = closed_to(out.turned, params, sweep_rad);
   if (params.headland_m > 0.0) {
     add_headland(out.turned, params, out.cut);
     for (const Polygon& part : detail::Shape::of(out.turned).inset(params.headland_m).parts()) {
-      if (const Status status = add_lines(part, params, out.cut); !status) return status.error();
+      if (const Status status = add_lines(part, params, closed, out.cut); !status) return status.error();
     }
-  } else if (const Status status = add_lines(out.turned, params, out.cut); !status) {
+  } else if (const Status status = add_lines(out.turned, params, closed, out.cut); !status) {
     return status.error();
   }
   if (const Status status = add_rest(params, out); !status) return status.error();
@@ -187,8 +204,8 @@ Strips strips_of(const Lines& lines) {
 
 Strips drawn_in(const StripParams& params, Lines lines) {
   // Where lines are to overlap, each is needed for what lies nearest to it, though others see that too.
-  const double needed_width_m = params.overlap > 0.0 ? spacing_m(params) : params.sensor_width_m;
-  lines.uncovered_m2 += detail::trim(lines.turned, {needed_width_m, lines.allowed_m2}, lines.cut.pieces);
+  const detail::TrimParams trim{params.sensor_width_m, spacing_m(params), lines.allowed_m2};
+  lines.uncovered_m2 += detail::trim(lines.turned, trim, lines.cut.pieces);
   std::stable_sort(lines.cut.pieces.begin(), lines.cut.pieces.end(),
                    [](const detail::Segment& a, const detail::Segment& b) { return a.strip < b.strip; });
   return strips_of(lines);

@@ -9,7 +9,7 @@
 
 namespace swallowtail::coverage {
 
-/// Whether lines may leave the field where they cover a slanted border (never over holes).
+/// Whether lines may leave the field where they cover a slanted border (never over holes or no-fly areas).
 enum class Beyond : std::uint8_t { kNever, kSlantedBorders };
 
 struct StripParams {
@@ -21,6 +21,7 @@ struct StripParams {
   TurnCost turn{};             ///< weighs lines of mixed direction by the tour that flies them
   double headland_m = 0.0;     ///< width of a band along the border that is flown along it, before the strips
   Beyond beyond = Beyond::kNever;
+  std::vector<Polygon> closed{};  ///< which no line enters beyond a border, besides the polygon's holes
 };
 Status validate(const StripParams& params);
 

@@ -21,16 +21,54 @@ constexpr int kMaxSamples = 20'000;
 /// A sub-cell is not cut shorter than this share of the sensor's width.
 constexpr double kLeastLength = 0.25;
 
-/// Ground elevations along a piece at even steps, both ends included.
-std::vector<double> ground_profile(const Piece& piece, const Terrain& terrain) {
+/// The ground below a piece, so far along it as this share of its length.
+struct GroundAt {
+  double share = 0.0;
+  double height_m = 0.0;
+};
+
+/// Where a piece crosses the raster's lines of one direction, as shares of its length.
+void add_crossings(double from, double to, double origin, double cell_m, std::vector<double>& shares) {
+  if (from == to) return;
+  const double first = std::ceil((std::min(from, to) - origin) / cell_m);
+  for (double k = first; origin + k * cell_m < std::max(from, to); k += 1.0)
+    shares.push_back(std::clamp((origin + k * cell_m - from) / (to - from), 0.0, 1.0));
+}
+
+/// Ground elevations along a piece, both ends included: over a raster at even steps, where its lines are
+/// crossed and at the lowest and highest places in between, so that all of the ground is within their range.
+std::vector<GroundAt> ground_profile(const Piece& piece, const Terrain& terrain) {
+  const auto height = [&](double share) {
+    const Vec2 p = piece.from_m + (piece.to_m - piece.from_m) * share;
+    return terrain.height_at(p.x(), p.y());
+  };
+  if (terrain.grid() == nullptr) return {{0.0, height(0.0)}, {1.0, height(1.0)}};
+  const planner::TerrainGrid& grid = *terrain.grid();
   const double length = (piece.to_m - piece.from_m).norm();
-  const double wanted =
-      terrain.grid() == nullptr ? length : std::max(kLeastSample_m, terrain.grid()->cell_size_m / 2.0);
-  const int steps = std::clamp(static_cast<int>(std::ceil(length / std::max(wanted, 1e-9))), 1, kMaxSamples);
-  std::vector<double> out;
-  for (int i = 0; i <= steps; ++i) {
-    const Vec2 p = piece.from_m + (piece.to_m - piece.from_m) * (static_cast<double>(i) / steps);
-    out.push_back(terrain.height_at(p.x(), p.y()));
+  const double wanted_m = std::max(kLeastSample_m, grid.cell_size_m / 2.0);
+  const int steps = std::clamp(static_cast<int>(std::ceil(length / wanted_m)), 1, kMaxSamples);
+  std::vector<double> shares;
+  for (int i = 0; i <= steps; ++i) shares.push_back(static_cast<double>(i) / steps);
+  if (length < grid.cell_size_m * kMaxSamples) {
+    add_crossings(piece.from_m.x(), piece.to_m.x(), grid.origin_m.x(), grid.cell_size_m, shares);
+    add_crossings(piece.from_m.y(), piece.to_m.y(), grid.origin_m.y(), grid.cell_size_m, shares);
+  }
+  std::ranges::sort(shares);
+  const auto repeated = std::ranges::unique(shares);
+  shares.erase(repeated.begin(), repeated.end());
+  std::vector<GroundAt> out{{shares.front(), height(shares.front())}};
+  for (std::size_t i = 1; i < shares.size(); ++i) {
+    const GroundAt before = out.back();
+    const GroundAt next{shares[i], height(shares[i])};
+    // Between lines of the raster the ground is a parabola: its turn, if there is one.
+    const double middle = height((before.share + next.share) / 2.0);
+    const double bend = before.height_m - 2.0 * middle + next.height_m;
+    const double turn = 0.5 + (before.height_m - next.height_m) / (4.0 * bend);
+    if (turn > 0.0 && turn < 1.0) {
+      const double share = before.share + turn * (next.share - before.share);
+      out.push_back({share, height(share)});
+    }
+    out.push_back(next);
   }
   return out;
 }
@@ -44,23 +82,22 @@ struct Stretch {
 };
 
 /// The longest stretches, one after another, over which the ground stays within twice the tolerance.
-std::vector<Stretch> level_stretches(const std::vector<double>& ground, double length_m,
+std::vector<Stretch> level_stretches(const std::vector<GroundAt>& ground, double length_m,
                                      const CutParams& params) {
-  const auto steps = static_cast<double>(ground.size() - 1);
   const double least = kLeastLength * params.sensor_width_m / std::max(length_m, 1e-9);
   std::vector<Stretch> out;
-  Stretch now{0.0, 0.0, ground[0], ground[0]};
+  Stretch now{0.0, 0.0, ground[0].height_m, ground[0].height_m};
   for (std::size_t i = 1; i < ground.size(); ++i) {
-    const double low = std::min(now.ground_min, ground[i]);
-    const double high = std::max(now.ground_max, ground[i]);
+    const double low = std::min(now.ground_min, ground[i].height_m);
+    const double high = std::max(now.ground_max, ground[i].height_m);
     const bool long_enough = now.to - now.from >= least;
     if (high - low > 2.0 * params.height_tolerance_m && long_enough) {
       out.push_back(now);
-      now = {now.to, now.to, ground[i - 1], ground[i - 1]};
+      now = {now.to, now.to, ground[i - 1].height_m, ground[i - 1].height_m};
     }
-    now.to = static_cast<double>(i) / steps;
-    now.ground_min = std::min(now.ground_min, ground[i]);
-    now.ground_max = std::max(now.ground_max, ground[i]);
+    now.to = ground[i].share;
+    now.ground_min = std::min(now.ground_min, ground[i].height_m);
+    now.ground_max = std::max(now.ground_max, ground[i].height_m);
   }
   out.push_back(now);
   return out;
@@ -90,7 +127,8 @@ void add_sub_cells(const Field& field, const Piece& piece, const Terrain& terrai
   }
 }
 
-StripParams strip_params(const CutParams& params) {
+/// `solid`: the no-fly areas, clean.
+StripParams strip_params(const CutParams& params, const Field& field, const std::vector<Polygon>& solid) {
   StripParams out;
   out.sensor_width_m = params.sensor_width_m;
   out.overlap = params.rules.overlap;
@@ -99,6 +137,9 @@ StripParams strip_params(const CutParams& params) {
   out.turn = params.turn;
   out.headland_m = params.rules.headland == Headland::kFly ? params.rules.headland_m : 0.0;
   out.beyond = params.rules.beyond;
+  if (out.beyond == Beyond::kNever) return out;
+  out.closed = solid;
+  for (const Ring& hole : field.polygon.holes) out.closed.push_back({hole, {}});
   return out;
 }
 
@@ -151,14 +192,18 @@ Status check_size(const std::vector<Polygon>& polygons, const CutParams& params)
   return {};
 }
 
-Result<std::vector<Polygon>> without(const std::vector<Polygon>& polygons,
-                                     const std::vector<Polygon>& no_fly) {
+Result<std::vector<Polygon>> cleaned_areas(const std::vector<Polygon>& no_fly) {
   std::vector<Polygon> solid;
   for (std::size_t i = 0; i < no_fly.size(); ++i) {
     const Result<std::vector<Polygon>> area = clean(no_fly[i]);
     if (!area) return bad_input("No-fly area " + std::to_string(i) + ": " + area.error().message);
     solid.insert(solid.end(), area->begin(), area->end());
   }
+  return solid;
+}
+
+Result<std::vector<Polygon>> without(const std::vector<Polygon>& polygons,
+                                     const std::vector<Polygon>& solid) {
   if (solid.empty()) return polygons;
   const detail::Shape left = detail::Shape::of(polygons).minus(detail::Shape::of(solid));
   if (!left.ok()) return internal_error("GEOS could not take the no-fly areas off.");
@@ -174,7 +219,9 @@ Result<std::vector<Polygon>> without(const std::vector<Polygon>& polygons,
 Result<std::vector<Polygon>> without_headland(const std::vector<Polygon>& polygons, const FieldRules& rules) {
   if (rules.headland != Headland::kSkip || rules.headland_m <= 0.0) return polygons;
   std::vector<Polygon> out;
-  for (const Polygon& part : detail::Shape::of(polygons).inset(rules.headland_m).parts()) {
+  const detail::Shape left =
+      detail::Shape::of(polygons).inset(rules.headland_m, detail::Shape::Corners::kRound);
+  for (const Polygon& part : left.parts()) {
     const Result<std::vector<Polygon>> tidy = clean(part);
     if (tidy) out.insert(out.end(), tidy->begin(), tidy->end());
   }
@@ -198,7 +245,9 @@ std::string partly_reason(const FieldCut& cut, const std::optional<Gap>& gap) {
 Status cut(const Field& field, const Terrain& terrain, const CutParams& params, FieldCut& out) {
   const Result<std::vector<Polygon>> cleaned = clean(field.polygon);
   if (!cleaned) return cleaned.error();
-  Result<std::vector<Polygon>> allowed = without(*cleaned, params.no_fly);
+  Result<std::vector<Polygon>> solid = cleaned_areas(params.no_fly);
+  if (!solid) return solid.error();
+  Result<std::vector<Polygon>> allowed = without(*cleaned, *solid);
   if (!allowed) return allowed.error();
   out.polygons = std::move(*allowed);
   const Result<std::vector<Polygon>> asked = without_headland(out.polygons, params.rules);
@@ -207,7 +256,7 @@ Status cut(const Field& field, const Terrain& terrain, const CutParams& params, 
   if (const Status status = check_height(field, terrain, params); !status) return status;
   if (const Status status = check_size(*asked, params); !status) return status;
   for (const Polygon& polygon : *asked) {
-    const Result<Strips> strips = cut_strips(polygon, strip_params(params));
+    const Result<Strips> strips = cut_strips(polygon, strip_params(params, field, *solid));
     if (!strips) return strips.error();
     if (out.cells == 0) out.sweep_rad = strips->sweep_rad;
     out.strips += strips->count;

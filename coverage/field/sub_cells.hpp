@@ -33,7 +33,7 @@ struct SubCell {
   double length_m() const { return (beta_m - alpha_m).norm(); }
 };
 
-/// What becomes of a band along a field's border.
+/// What becomes of a band along a field's border: of all that is nearer to it than headland_m.
 enum class Headland : std::uint8_t { kNone, kSkip, kFly };
 
 /// How fields are to be flown, besides sensor and heights.

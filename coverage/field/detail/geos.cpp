@@ -24,6 +24,8 @@ struct Destroy {
 using Owned = std::unique_ptr<GEOSGeometry, Destroy>;
 
 constexpr double kMitreLimit = 5.0;
+/// Of a quarter turn.
+constexpr int kArcPieces = 16;
 
 GEOSGeometry* make_ring(const Ring& ring) {
   const auto size = static_cast<unsigned>(ring.size());
@@ -178,9 +180,10 @@ Shape Shape::joined(const Shape& other) const {
                                            : nullptr);
 }
 
-Shape Shape::inset(double distance_m) const {
-  return Geometry::wrap(ok() ? GEOSBufferWithStyle_r(context(), geometry_->get(), -distance_m, 8,
-                                                     GEOSBUF_CAP_FLAT, GEOSBUF_JOIN_MITRE, kMitreLimit)
+Shape Shape::inset(double distance_m, Corners corners) const {
+  const int join = corners == Corners::kRound ? GEOSBUF_JOIN_ROUND : GEOSBUF_JOIN_MITRE;
+  return Geometry::wrap(ok() ? GEOSBufferWithStyle_r(context(), geometry_->get(), -distance_m, kArcPieces,
+                                                     GEOSBUF_CAP_FLAT, join, kMitreLimit)
                              : nullptr);
 }
 

@@ -42,8 +42,10 @@ class Shape {
   Shape within(const Shape& other) const;
   Shape within(const Box& box) const;
   Shape joined(const Shape& other) const;
-  /// What lies at least so far inside the border (mitred corners stay corners); negative: widened.
-  Shape inset(double distance_m) const;
+  enum class Corners { kSharp, kRound };
+  /// What lies at least so far inside the border; negative: widened. Where the border's corners point into
+  /// what is left, sharp ones stay corners (mitred), round ones lie on an arc to 0.2 % of the distance.
+  Shape inset(double distance_m, Corners corners = Corners::kSharp) const;
 
  private:
   struct Geometry;

@@ -83,6 +83,32 @@ TEST(Strips, AHeadlandIsFlownAlongTheBorder) {
   EXPECT_TRUE(std::any_of(strips->pieces.begin(), strips->pieces.end(), along_border));
 }
 
+/// In tips too, where a line may be the only one to see what lies farther aside than it is to overlap.
+TEST(Strips, OverlappingStripsCoverTheFieldAllTheSame) {
+  const Polygon field{{{-5.211, 8.498},
+                       {-5.379, 19.575},
+                       {-15.967, 20.536},
+                       {-20.347, 19.787},
+                       {-29.791, 15.758},
+                       {-28.798, 8.747},
+                       {-31.274, 2.914},
+                       {-23.907, -1.722},
+                       {-15.729, -9.749},
+                       {-11.838, -5.641},
+                       {-7.644, 3.301}},
+                      {{{-16.321, 4.889},
+                        {-20.421, 4.889},
+                        {-22.471, 8.439},
+                        {-20.421, 11.990},
+                        {-16.321, 11.990},
+                        {-14.270, 8.439}}}};
+  for (const double overlap : {0.2, 0.360866, 0.5}) {
+    const auto strips = cut_strips(field, {.sensor_width_m = 15.4288, .overlap = overlap});
+    ASSERT_TRUE(strips.ok());
+    EXPECT_GE(judged(field, *strips, 15.4288).covered_share, 0.999) << overlap;
+  }
+}
+
 TEST(Strips, OverlappingStripsLieNearer) {
   const Polygon field{rectangle(0, 0, 100, 30), {}};
   EXPECT_EQ(cut_strips(field, {.sensor_width_m = 10.0, .overlap = 0.25})->count, 4);

@@ -3,7 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "coverage/field/swath.hpp"
 
@@ -82,6 +84,67 @@ TEST(SubCells, NoFlyAreasAreNeitherCoveredNorCrossed) {
     EXPECT_EQ(cell.alpha_m.x() < 40.0, cell.beta_m.x() < 40.0) << "a line runs through the no-fly area";
   params.no_fly = {{{{-1, -1}, {101, -1}, {101, 41}, {-1, 41}}, {}}};
   EXPECT_THAT(cut_field(square_field(), planner::Terrain::flat(0.0), params).reason, HasSubstr("no-fly"));
+}
+
+/// What a no-fly area leaves of the field along its border is slanted there like any border.
+TEST(SubCells, NoLineGoesBeyondABorderIntoANoFlyAreaOrAHoleThatOneOpens) {
+  CutParams params;
+  params.sweep_rad = 0.0;
+  params.rules.beyond = Beyond::kSlantedBorders;
+  params.no_fly = {{{{60, -10}, {110, -10}, {110, 60}}, {}}};
+  Field field = square_field();
+  field.polygon.holes = {{{70, 14}, {70, 26}, {90, 26}, {90, 14}}};
+  const FieldCut cut = cut_field(field, planner::Terrain::flat(0.0), params);
+  ASSERT_NE(cut.status, FieldStatus::kRefused) << cut.reason;
+  const Polygon& no_fly = params.no_fly.front();
+  for (const SubCell& cell : cut.sub_cells) {
+    for (int i = 0; i <= 100; ++i) {
+      const Vec2 p = (cell.alpha_m + (cell.beta_m - cell.alpha_m) * (i / 100.0)).head<2>();
+      EXPECT_FALSE(contains(no_fly, p) && border_distance_m(no_fly, p) > 0.01) << p.transpose();
+      const Polygon hole{field.polygon.holes.front(), {}};
+      EXPECT_FALSE(contains(hole, p) && border_distance_m(hole, p) > 0.01) << p.transpose();
+    }
+  }
+}
+
+/// Round a hole's corners too, the band that is skipped is no wider than asked.
+TEST(SubCells, BeyondASkippedHeadlandTheCornersRoundAHoleAreAskedFor) {
+  CutParams params;
+  params.rules.headland = Headland::kSkip;
+  params.rules.headland_m = 6.0;
+  Field field = square_field();
+  field.polygon.holes = {{{46, 16}, {46, 24}, {54, 24}, {54, 16}}};
+  const FieldCut cut = cut_field(field, planner::Terrain::flat(0.0), params);
+  ASSERT_EQ(cut.status, FieldStatus::kPlanned) << cut.reason;
+  EXPECT_NEAR(cut.area_m2, 88.0 * 28.0 - (8.0 * 8.0 + 4.0 * 8.0 * 6.0 + std::numbers::pi * 36.0), 0.5);
+}
+
+/// A ditch along one line of the raster, the bottom of which even steps of half a cell miss.
+TEST(SubCells, GroundBetweenEvenStepsCountsForTheHeightToo) {
+  planner::TerrainGrid grid;
+  grid.origin_m = Vec2(-20.0, -20.0);
+  grid.cell_size_m = 3.0;
+  grid.rows = 30;
+  grid.cols = 50;
+  for (int r = 0; r < grid.rows; ++r) {
+    for (int c = 0; c < grid.cols; ++c) grid.elevation_m.push_back(c == 20 ? -4.4F : 0.0F);
+  }
+  const auto terrain = planner::Terrain::from_grid(grid).value();
+  CutParams params;
+  params.sweep_rad = 0.0;
+  const FieldCut cut = cut_field(square_field(), terrain, params);
+  ASSERT_EQ(cut.status, FieldStatus::kPlanned) << cut.reason;
+  int beyond = 0;
+  for (const SubCell& cell : cut.sub_cells) {
+    bool within = true;
+    for (int i = 0; i <= 1000; ++i) {
+      const Vec3 p = cell.alpha_m + (cell.beta_m - cell.alpha_m) * (i / 1000.0);
+      within = within && std::abs(p.z() - terrain.height_at(p.x(), p.y()) - 20.0) <=
+                             1.01 * params.height_tolerance_m + 1e-6;
+    }
+    beyond += within ? 0 : 1;
+  }
+  EXPECT_EQ(cut.beyond_tolerance, beyond);
 }
 
 TEST(SubCells, ASkippedHeadlandIsNotAskedFor) {
