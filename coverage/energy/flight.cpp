@@ -83,9 +83,10 @@ std::vector<Vec3> FlightModel::way(const Vec3& from, const Vec3& to) const {
   }
   out.push_back(flat(to));
   double altitude = std::max(from.z(), to.z());
+  const bool is_upright = out.size() == 2 && (out[1] - out[0]).norm() < kSamePlace_m;
   if (terrain_->is_flat()) {
     altitude = std::max(altitude, terrain_->flat_elevation_m());
-  } else {
+  } else if (!is_upright) {
     double top = -std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i + 1 < out.size(); ++i)
       top = std::max(top, -terrain_->min_height_above(out[i], out[i + 1]));

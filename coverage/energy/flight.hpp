@@ -71,7 +71,7 @@ class FlightModel {
   /// Whether there is no way in the air from one place to another.
   bool is_barred(const Vec3& from, const Vec3& to) const;
   /// The places a transfer leads through where it is not barred, at its altitude, both ends' included: from
-  /// there it climbs or descends to `from` and `to`.
+  /// there it climbs or descends to `from` and `to`. Between places above each other it rises above neither.
   std::vector<Vec3> way(const Vec3& from, const Vec3& to) const;
 
   /// The site on the ground below a place.

@@ -78,5 +78,19 @@ TEST(Flight, TransfersClimbOverTheGroundBetweenTheirEnds) {
   EXPECT_DOUBLE_EQ(beside.length_m, 60.0);
 }
 
+/// From one line's height to the next one's, where both end: up or down, and not first a metre higher.
+TEST(Flight, ATransferStraightUpOrDownRisesAboveNeitherEnd) {
+  planner::TerrainGrid grid;
+  grid.rows = grid.cols = 2;
+  grid.elevation_m = {17.0F, 17.0F, 17.0F, 17.0F};
+  const planner::Terrain ground = planner::Terrain::from_grid(grid).value();
+  const FlightModel model(kLimits, {}, ground);
+  const double low_m = 17.0 + kLimits.clearance_m();
+  const FlightCost down =
+      model.transfer(Vec3(1, 1, low_m + 0.5), Vec3(1, 1, low_m), {Vec3(1, 0, 0), Vec3(0, 1, 0)});
+  EXPECT_DOUBLE_EQ(down.length_m, 0.5);
+  EXPECT_DOUBLE_EQ(down.time_s, 0.5 / kLimits.descent_speed_mps + 2.0 * planner::kStopToTurn_s);
+}
+
 }  // namespace
 }  // namespace swallowtail::coverage
