@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
 
 #include "coverage/field/detail/free_ground.hpp"
 #include "coverage/field/detail/geos.hpp"
@@ -23,10 +24,37 @@ constexpr double kMostTolerance_m = 1.0;
 /// Beyond the border, out of what is not crossed.
 constexpr double kOut_m = 0.02;
 
+/// Of a hole, at the most, that its fields leave over when they fill it.
+constexpr double kFilled = 0.01;
+
 bool lies_in(const Polygon& field, const Polygon& hole) {
   return std::ranges::all_of(field.outline, [&](const Vec2& corner) {
     return contains(hole, corner) || border_distance_m(hole, corner) < detail::kTouch_m;
   });
+}
+
+/// Rings of the union, with the free ground to their left.
+std::vector<Ring> rings_round(std::span<const Polygon> solid) {
+  std::vector<Ring> out;
+  const auto add = [&out](Ring ring, bool counter_clockwise) {
+    if ((signed_area_m2(ring) > 0.0) != counter_clockwise) std::reverse(ring.begin(), ring.end());
+    out.push_back(std::move(ring));
+  };
+  for (const Polygon& part : detail::Shape::of(solid).parts()) {
+    add(part.outline, false);
+    for (const Ring& hole : part.holes) add(hole, true);
+  }
+  return out;
+}
+
+double length_m(const Vec2& from, const std::vector<Vec2>& corners, const Vec2& to) {
+  double out = 0.0;
+  Vec2 at = from;
+  for (const Vec2& corner : corners) {
+    out += (corner - at).norm();
+    at = corner;
+  }
+  return out + (to - at).norm();
 }
 
 }  // namespace
@@ -107,61 +135,96 @@ std::vector<Polygon> holes_without_fields(std::span<const Polygon> polygons,
   return out;
 }
 
+std::vector<Polygon> holes_around_fields(std::span<const Polygon> polygons, std::span<const Polygon> fields) {
+  std::vector<Polygon> out;
+  for (const Polygon& polygon : polygons) {
+    for (const Ring& ring : polygon.holes) {
+      Polygon hole{Ring(ring.rbegin(), ring.rend()), {}};
+      std::vector<Polygon> within;
+      std::ranges::copy_if(fields, std::back_inserter(within),
+                           [&](const Polygon& field) { return lies_in(field, hole); });
+      if (within.empty()) continue;
+      const detail::Shape rest = detail::Shape::of(hole).minus(detail::Shape::of(within));
+      if (rest.area_m2() > kFilled * area_m2(hole)) out.push_back(std::move(hole));
+    }
+  }
+  return out;
+}
+
 Ways::Ways() = default;
 Ways::~Ways() = default;
 Ways::Ways(Ways&&) noexcept = default;
 Ways& Ways::operator=(Ways&&) noexcept = default;
 
-Ways::Ways(std::span<const Polygon> fields, std::span<const Polygon> no_fly) {
+Ways::Ways(std::span<const Polygon> fields, std::span<const Polygon> no_fly, std::span<const Polygon> around)
+    : fields_(fields.begin(), fields.end()), around_(around.begin(), around.end()) {
   std::vector<Polygon> solid(no_fly.begin(), no_fly.end());
   std::ranges::move(holes_without_fields(fields, fields), std::back_inserter(solid));
+  std::ranges::move(holes_around_fields(fields, fields), std::back_inserter(around_));
   for (const Polygon& field : fields) {
     std::vector<Ring> rings = field.holes;
     rings.push_back(field.outline);
     rooms_.push_back(std::make_unique<Domain>(std::move(rings), FreeGround::Far::kBarred));
   }
-  std::vector<Ring> rings;
-  const auto add = [&rings](Ring ring, bool counter_clockwise) {
-    if ((signed_area_m2(ring) > 0.0) != counter_clockwise) std::reverse(ring.begin(), ring.end());
-    rings.push_back(std::move(ring));
-  };
-  for (const Polygon& part : detail::Shape::of(solid).parts()) {
-    add(part.outline, false);
-    for (const Ring& hole : part.holes) add(hole, true);
-  }
-  open_ = std::make_unique<Domain>(std::move(rings), FreeGround::Far::kFree);
-  fields_.assign(fields.begin(), fields.end());
+  open_ = std::make_unique<Domain>(rings_round(solid), FreeGround::Far::kFree);
+  if (around_.empty()) return;
+  solid.insert(solid.end(), around_.begin(), around_.end());
+  outer_ = std::make_unique<Domain>(rings_round(solid), FreeGround::Far::kFree);
 }
 
-int Ways::room_of(const Vec2& place) const {
-  const auto [found, is_new] = room_cache_.try_emplace({place.x(), place.y()}, -1);
-  if (!is_new) return found->second;
-  for (std::size_t i = 0; i < fields_.size() && found->second < 0; ++i) {
+const Ways::Whereabouts& Ways::whereabouts(const Vec2& place) const {
+  const auto [found, is_new] = whereabouts_.try_emplace({place.x(), place.y()});
+  Whereabouts& out = found->second;
+  if (!is_new) return out;
+  for (std::size_t i = 0; i < fields_.size(); ++i) {
     if (contains(fields_[i], place) || border_distance_m(fields_[i], place) < detail::kTouch_m)
-      found->second = static_cast<int>(i);
+      out.rooms.push_back(i);
   }
-  return found->second;
+  out.is_nested = std::ranges::any_of(around_, [&](const Polygon& hole) { return contains(hole, place); });
+  return out;
 }
 
-Ways::Domain* Ways::domain_of(const Vec2& from, const Vec2& to) const {
-  const int room = room_of(from);
-  if (room >= 0 && room == room_of(to)) return rooms_[static_cast<std::size_t>(room)].get();
-  return open_.get();
+std::vector<Ways::Domain*> Ways::common_rooms(const Vec2& from, const Vec2& to) const {
+  // Both stay where they are: a map's values do not move.
+  const std::vector<std::size_t>& here = whereabouts(from).rooms;
+  const std::vector<std::size_t>& there = whereabouts(to).rooms;
+  std::vector<Domain*> out;
+  for (const std::size_t room : here) {
+    if (std::ranges::find(there, room) != there.end()) out.push_back(rooms_[room].get());
+  }
+  return out;
+}
+
+Ways::Domain* Ways::open_ground(const Vec2& from, const Vec2& to) const {
+  const bool is_nested = whereabouts(from).is_nested || whereabouts(to).is_nested;
+  return outer_ != nullptr && !is_nested ? outer_.get() : open_.get();
+}
+
+std::optional<std::vector<Vec2>> Ways::find(const Vec2& from, const Vec2& to) const {
+  std::optional<std::vector<Vec2>> best;
+  double least_m = std::numeric_limits<double>::infinity();
+  for (Domain* room : common_rooms(from, to)) {
+    auto corners = room->corners(from, to);
+    if (!corners) continue;
+    const double length = length_m(from, *corners, to);
+    if (length >= least_m) continue;
+    least_m = length;
+    best = std::move(corners);
+  }
+  return best ? best : open_ground(from, to)->corners(from, to);
 }
 
 std::optional<std::vector<Vec2>> Ways::corners(const Vec2& from, const Vec2& to) const {
   if (open_ == nullptr) return std::vector<Vec2>();
-  if (last_ && last_->from_m == from && last_->to_m == to) return last_->corners_m;
-  Domain* domain = domain_of(from, to);
-  auto found = domain->corners(from, to);
-  if (!found && domain != open_.get()) found = open_->corners(from, to);
-  last_ = Bent{from, to, std::move(found)};
+  if (!last_ || last_->from_m != from || last_->to_m != to) last_ = Bent{from, to, find(from, to)};
   return last_->corners_m;
 }
 
 bool Ways::is_free(const Vec2& from, const Vec2& to) const {
-  const Domain* domain = domain_of(from, to);
-  return domain == nullptr || domain->is_free(from, to);
+  if (open_ == nullptr) return true;
+  const std::vector<Domain*> rooms = common_rooms(from, to);
+  if (rooms.empty()) return open_ground(from, to)->is_free(from, to);
+  return std::ranges::any_of(rooms, [&](const Domain* room) { return room->is_free(from, to); });
 }
 
 }  // namespace swallowtail::coverage

@@ -70,6 +70,23 @@ std::vector<Polygon> no_fly_areas(const Task& task) {
   return out;
 }
 
+/// Whether the clean field has all its holes still: none sticks out and became its outline's.
+bool has_all_holes(const Field& field, const std::vector<Polygon>& parts) {
+  return parts.size() == 1 && parts.front().holes.size() == field.polygon.holes.size();
+}
+
+/// Of a clean field, as holes of polygons, those that it lost too.
+std::vector<Polygon> with_holes(const Field& field, const std::vector<Polygon>& parts) {
+  if (has_all_holes(field, parts)) return parts;
+  Polygon out;
+  for (const Ring& ring : field.polygon.holes) {
+    const Result<std::vector<Polygon>> hole = clean({ring, {}});
+    if (!hole) continue;
+    for (const Polygon& part : *hole) out.holes.emplace_back(part.outline.rbegin(), part.outline.rend());
+  }
+  return {out};
+}
+
 void add_field_totals(Plan& plan) {
   double covered = 0.0;
   for (const FieldReport& field : plan.fields) {
@@ -115,15 +132,17 @@ StopParams stop_params(const Task& task, const PlanOptions& options) {
 
 Ways ways_of(const Task& task, std::span<const Polygon> polygons) {
   std::vector<Polygon> barred = no_fly_areas(task);
-  // A hole that a no-fly area joins to the ground around is no polygon's any more.
-  if (!barred.empty()) {
-    for (const Field& field : task.fields) {
-      const auto parts = clean(field.polygon);
-      if (!parts) continue;
-      std::ranges::move(holes_without_fields(*parts, polygons), std::back_inserter(barred));
-    }
+  std::vector<Polygon> around;
+  // A hole that a no-fly area or its field's outline joins to the ground around is no polygon's any more.
+  for (const Field& field : task.fields) {
+    if (field.polygon.holes.empty()) continue;
+    const auto parts = clean(field.polygon);
+    if (!parts || (task.no_fly.empty() && has_all_holes(field, *parts))) continue;
+    const std::vector<Polygon> holed = with_holes(field, *parts);
+    std::ranges::move(holes_without_fields(holed, polygons), std::back_inserter(barred));
+    std::ranges::move(holes_around_fields(holed, polygons), std::back_inserter(around));
   }
-  return Ways(polygons, barred);
+  return Ways(polygons, barred, around);
 }
 
 FieldsCut cut_fields(const Task& task, const planner::Terrain& terrain, const PlanOptions& options) {

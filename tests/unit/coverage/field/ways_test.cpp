@@ -63,6 +63,31 @@ TEST(Ways, StraightToAPlaceBesideAcrossTheBorder) {
   EXPECT_TRUE(ways.is_free(Vec2(30, -0.002), Vec2(30.04, 0.0)));
 }
 
+/// Whichever of the two fields comes first.
+TEST(Ways, FromACommonBorderStayOnTheFieldOfTheOtherEnd) {
+  const Polygon left{{{0, 0}, {50, 0}, {50, 40}, {0, 40}}, {}};
+  const Polygon right{{{50, 0}, {90, 0}, {60, 20}, {90, 40}, {50, 40}}, {}};
+  for (const auto& fields : {std::vector<Polygon>{left, right}, std::vector<Polygon>{right, left}}) {
+    const Ways ways(fields, {});
+    EXPECT_EQ(ways.corners(Vec2(85, 2), Vec2(85, 38))->size(), 1U);
+    EXPECT_EQ(ways.corners(Vec2(50, 1), Vec2(88, 39))->size(), 1U);
+    EXPECT_TRUE(ways.corners(Vec2(50, 1), Vec2(1, 39))->empty());
+  }
+}
+
+/// A no-fly area cuts the left field in two where it reaches over the border; from one part to the other,
+/// both ends a hair's breadth off the right field, the way runs over that.
+TEST(Ways, AlongACommonBorderRoundANoFlyArea) {
+  const Polygon below{{{0, 0}, {50, 0}, {50, 20}, {0, 20}}, {}};
+  const Polygon above{{{0, 30}, {50, 30}, {50, 50}, {0, 50}}, {}};
+  const Polygon right{{{50, 0}, {90, 0}, {90, 50}, {50, 50}, {50, 30}, {52, 30}, {52, 20}, {50, 20}}, {}};
+  const Polygon no_fly{{{-10, 20}, {52, 20}, {52, 30}, {-10, 30}}, {}};
+  const Ways ways(std::vector<Polygon>{below, above, right}, {&no_fly, 1});
+  const auto corners = ways.corners(Vec2(49.999, 5), Vec2(49.999, 45)).value();
+  ASSERT_EQ(corners.size(), 2U);
+  EXPECT_GT(corners[0].x(), 52.0);
+}
+
 TEST(Ways, BetweenFieldsRoundANoFlyArea) {
   const std::vector<Polygon> fields = {{rectangle(0, 0, 40, 40), {}}, {rectangle(100, 0, 140, 40), {}}};
   const std::vector<Polygon> no_fly = {{rectangle(60, -10, 80, 60), {}}, {rectangle(70, 50, 90, 100), {}}};
@@ -76,6 +101,17 @@ TEST(Ways, AFieldInAHoleOfAnotherIsReached) {
   const std::vector<Polygon> fields = {{rectangle(0, 0, 100, 100), {hole(rectangle(30, 30, 70, 70))}},
                                        {rectangle(40, 40, 60, 60), {}}};
   EXPECT_TRUE(Ways(fields, {}).corners(Vec2(10, 50), Vec2(50, 50))->empty());
+}
+
+TEST(Ways, AHoleRoundAFieldIsCrossedOnItsAccountAlone) {
+  const std::vector<Polygon> fields = {{rectangle(0, 0, 100, 100), {hole(rectangle(30, 30, 70, 70))}},
+                                       {rectangle(40, 40, 60, 60), {}}};
+  const Ways ways(fields, {});
+  EXPECT_EQ(ways.corners(Vec2(-10, 50), Vec2(90, 50))->size(), 2U);
+  EXPECT_TRUE(ways.corners(Vec2(-10, 50), Vec2(50, 50))->empty());
+  // A field that fills the hole leaves nothing to go round.
+  const std::vector<Polygon> filled = {fields[0], {rectangle(30, 30, 70, 70), {}}};
+  EXPECT_TRUE(Ways(filled, {}).corners(Vec2(-10, 50), Vec2(90, 50))->empty());
 }
 
 /// Among random holes the way stays on the ground and is no longer than one found on a fine grid.

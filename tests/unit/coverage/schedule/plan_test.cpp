@@ -202,5 +202,20 @@ TEST(WaysOf, GoRoundAHoleThatANoFlyAreaJoinsToTheOutside) {
   EXPECT_TRUE(ways.is_free({65, -5}, {65, 60}));
 }
 
+/// Such a hole is a notch of the clean field's outline.
+TEST(Plan, AHoleThatSticksOutOfItsFieldIsGoneRoundAllTheSame) {
+  Task task;
+  task.fields = {{1,
+                  "holed",
+                  {{{0, 0}, {100, 0}, {100, 50}, {0, 50}}, {{{40, -1}, {40, 20}, {60, 20}, {60, -1}}}},
+                  20.0}};
+  const FieldsCut cut = cut_fields(task, planner::Terrain::flat(0.0), {});
+  ASSERT_EQ(cut.polygons.size(), 1U) << cut.reports.front().reason;
+  EXPECT_TRUE(cut.polygons.front().holes.empty());
+  const Ways ways = ways_of(task, cut.polygons);
+  EXPECT_FALSE(ways.is_free({50, -10}, {50, 60}));
+  EXPECT_TRUE(ways.is_free({65, -10}, {65, 60}));
+}
+
 }  // namespace
 }  // namespace swallowtail::coverage
