@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace swallowtail::test_support {
 namespace {
@@ -9,6 +10,8 @@ namespace {
 constexpr double kStop_s = 1.0;
 constexpr double kSame_m = 1e-6;
 constexpr double kSampleEvery_m = 0.25;
+constexpr double kSampleLeast_m = 2e-3;
+constexpr double kSteepest = 20.0;  ///< rise over run of any ground
 constexpr double kAboveClearance_m = 1.0;
 
 double flat_length(const Vec3& v) { return std::hypot(v.x(), v.y()); }
@@ -96,8 +99,11 @@ void ReplayFlight::fly_to(const Vec3& place_m) {
   const bool level = flat_length(way) > kSame_m;
   if (before_) {
     const bool was_level = flat_length(*before_) > kSame_m;
-    const double cosine = std::clamp(before_->dot(way) / (before_->norm() * way.norm()), -1.0, 1.0);
-    const bool turns = std::acos(cosine) > task_.vehicle.turn_max_rad + 1e-7;
+    const Vec3 ahead = way.normalized();
+    const Vec3 behind = before_->normalized();
+    // By half the angle: an arc's cosine tells no small ones apart.
+    const double angle = 2.0 * std::asin(std::min(1.0, (ahead - behind).norm() / 2.0));
+    const bool turns = angle > task_.vehicle.turn_max_rad + 1e-9;
     if (level != was_level || turns) hover();
   }
   const auto& limits = task_.vehicle;
@@ -117,16 +123,40 @@ void ReplayFlight::land(double ground_m) {
   before_.reset();
 }
 
+namespace {
+
+/// Raises top to what lies between two samples, looked at ever closer where it might lie higher.
+void look_between(const Vec3& from, double from_top, const Vec3& to, double to_top, const GroundAt& ground,
+                  double& top) {
+  const double length = flat_length(to - from);
+  if (length < kSampleLeast_m || std::max(from_top, to_top) + kSteepest * length / 2.0 <= top) return;
+  const Vec3 middle = (from + to) / 2.0;
+  const double height = ground(middle.x(), middle.y());
+  top = std::max(top, height);
+  look_between(from, from_top, middle, height, ground, top);
+  look_between(middle, height, to, to_top, ground, top);
+}
+
+}  // namespace
+
 double altitude_over(const std::vector<Vec3>& way, double ends_m, const coverage::Task& task,
                      const GroundAt& ground) {
+  double length = 0.0;
+  for (std::size_t i = 0; i + 1 < way.size(); ++i) length += flat_length(way[i + 1] - way[i]);
+  if (length < kSame_m) return ends_m;
   double top = -1e300;
   for (std::size_t i = 0; i + 1 < way.size(); ++i) {
     const Vec3 piece = way[i + 1] - way[i];
     const int steps = std::max(1, static_cast<int>(std::ceil(flat_length(piece) / kSampleEvery_m)));
+    std::vector<std::pair<Vec3, double>> samples;
     for (int s = 0; s <= steps; ++s) {
       const Vec3 p = way[i] + piece * (static_cast<double>(s) / steps);
-      top = std::max(top, ground(p.x(), p.y()));
+      samples.emplace_back(p, ground(p.x(), p.y()));
+      top = std::max(top, samples.back().second);
     }
+    for (std::size_t s = 0; s + 1 < samples.size(); ++s)
+      look_between(samples[s].first, samples[s].second, samples[s + 1].first, samples[s + 1].second, ground,
+                   top);
   }
   const double needs = top + task.vehicle.radius_m + task.vehicle.margin_m + kAboveClearance_m;
   return std::max(ends_m, needs);

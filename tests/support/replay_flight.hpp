@@ -46,7 +46,7 @@ class ReplayFlight {
 };
 
 /// Altitude of a flight between two places that goes straight from corner to corner: the higher of its ends,
-/// or what keeps the vehicle's clearance and a metre above the ground on the way.
+/// or what keeps the vehicle's clearance and a metre above the ground on the way, if it leads anywhere.
 double altitude_over(const std::vector<Vec3>& way, double ends_m, const coverage::Task& task,
                      const GroundAt& ground);
 

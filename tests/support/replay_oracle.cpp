@@ -16,6 +16,7 @@ using coverage::Transfer;
 
 constexpr double kPlace_m = 1e-3;
 constexpr double kSlack = 1e-6;
+constexpr double kRobotEnergy = 0.01;  ///< its ways are added up in single precision
 
 double flat(const Vec3& a, const Vec3& b) { return std::hypot(a.x() - b.x(), a.y() - b.y()); }
 
@@ -176,6 +177,8 @@ void Replay::meet(std::uint32_t id, const Vec3& below) {
   claim(name + " energy from", r.energy_from, held, question_.energy_tolerance);
   at_least(name + ", charge", r.charge_to, held - question_.energy_tolerance);
   at_least(name + ", capacity", task_.battery.capacity, r.charge_to);
+  const bool is_limited = std::isfinite(task_.charger.battery.capacity);
+  if (is_limited) claim(name + " robot's energy", r.robot_energy, robot_.held, kRobotEnergy);
   robot_.give(std::max(0.0, r.charge_to - held));
   if (r.charge_to > r.energy_from + 1e-9) ++recharges_;
   double together = charging_s(task_, held, r.charge_to);
@@ -184,6 +187,7 @@ void Replay::meet(std::uint32_t id, const Vec3& below) {
     robot_.tell(question_.watch_robot, docked + carry_s);
     together = std::max(together, carry_s);
   }
+  if (is_limited) claim(name + " robot's energy left", r.robot_energy_left, robot_.held, kRobotEnergy);
   at_least(name + ", departure", r.depart_s + question_.time_tolerance_s * 2.0,
            docked + together + task_.charger.take_off_s + question_.lead_s);
   robot_.free_s = r.depart_s;
@@ -195,11 +199,16 @@ void Replay::meet(std::uint32_t id, const Vec3& below) {
 
 /// Before the meeting just found, if the plan says so.
 void Replay::visit_depot(const std::string& name) {
-  if (visits_ >= plan_.depot_visits.size() || plan_.depot_visits[visits_].before + 1 != meetings_) return;
+  const bool visits =
+      visits_ < plan_.depot_visits.size() && plan_.depot_visits[visits_].before + 1 == meetings_;
+  if (visits != plan_.rendezvous[meetings_ - 1].by_depot)
+    fail(name + ": the robot comes by its depot, or does not, and the plan says otherwise");
+  if (!visits) return;
   const coverage::DepotVisit& visit = plan_.depot_visits[visits_++];
   const double there_s =
       robot_.free_s + robot_.drive_to(visit.bends_m, task_.charger.start_m, verdict_.faults);
-  at_least(name + ", the robot's energy when back at its depot", robot_.held + kSlack, task_.charger.battery.reserve);
+  at_least(name + ", the robot's energy when back at its depot", robot_.held + kSlack,
+           task_.charger.battery.reserve);
   at_least(name + ", the robot's arrival at its depot", visit.arrives_s,
            there_s - question_.time_tolerance_s);
   robot_.tell(question_.watch_robot, visit.arrives_s);
@@ -226,6 +235,9 @@ void Replay::transfer(std::size_t i) {
   const auto id = static_cast<std::uint32_t>(2 * i + 1);
   const std::vector<Vec3> way = way_to_next(i);
   const double higher = std::max(leg.exit_m.z(), next.entry_m.z());
+  if (leg.field_id == next.field_id && leg.transfer != Transfer::kFDTU) {
+    for (std::string& fault : faults_of_way_inside(task_, way)) fail(std::move(fault));
+  }
   switch (leg.transfer) {
     case Transfer::kFF:
       fly_way(way, higher);
@@ -292,6 +304,11 @@ void Replay::check_totals() {
   claim("the least energy on landing", plan_.energy_min, least_landed_, energy);
   claim("the waiting time", plan_.wait_s, waited_s_, time);
   claim("the number of recharges", plan_.recharges, recharges_, 0.0);
+  const bool is_whole = std::ranges::all_of(plan_.fields, [](const coverage::FieldReport& field) {
+    return field.status == coverage::FieldStatus::kPlanned;
+  });
+  if (is_whole != (plan_.status == coverage::PlanStatus::kComplete))
+    fail("the plan says that it is complete, or that it is not, and its fields say otherwise");
 }
 
 }  // namespace

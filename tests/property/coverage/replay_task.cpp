@@ -7,6 +7,7 @@
 #include "planner/base/clock.hpp"
 #include "planner/base/rng.hpp"
 #include "tests/property/coverage/random_task.hpp"
+#include "tests/property/coverage/rare_traits.hpp"
 
 namespace swallowtail::coverage::test {
 namespace {
@@ -112,6 +113,10 @@ ReplayTask random_replay_task(std::uint64_t seed) {
                            random_polygon(rng, centre, rng.uniform(20.0, 50.0)), rng.uniform(8.0, 40.0)});
   }
   if (rng.uniform() < 0.3) add_no_fly(rng, task);
+  // Drawn apart: the other tasks are as they were.
+  Rng rare(seed * 7907);
+  const bool is_rare = rare.uniform() < 0.5;
+  if (is_rare) add_rare_ground(rare, out);
   task.sensor_width_m = rng.uniform(9.0, 20.0);
   task.height_tolerance_m = rng.uniform(1.0, 4.0);
   task.vehicle.cruise_speed_mps = rng.uniform(4.0, 12.0);
@@ -132,6 +137,7 @@ ReplayTask random_replay_task(std::uint64_t seed) {
     task.battery.taper_from = rng.uniform(0.0, 1.0);
     task.battery.taper_end_rate = rng.uniform(0.02, 1.0);
   }
+  if (is_rare) add_rare_wishes(rare, out);
   set_ground(rng, out);
   out.options.seed = seed;
   // Drawn apart: the tasks are else as they were.
