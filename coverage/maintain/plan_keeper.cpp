@@ -220,7 +220,8 @@ void PlanKeeper::finish_leg(std::size_t leg) {
 void PlanKeeper::follow_progress(const AircraftView& vehicle) {
   const std::size_t done = std::min(vehicle.legs_done, plan_.legs.size());
   while (plan_.legs_done < done) {
-    if (track_ && tracked_leg_ == plan_.legs_done) track_->add(vehicle.time_s, vehicle.position_m);
+    if (track_ && tracked_leg_ == plan_.legs_done)
+      track_->add(vehicle.time_s, vehicle.position_m, vehicle.covering);
     finish_leg(plan_.legs_done);
     ++plan_.legs_done;
     track_.reset();
@@ -237,7 +238,7 @@ void PlanKeeper::follow_progress(const AircraftView& vehicle) {
         leg, TrackParams{0.5, std::max(0.5, task_.height_tolerance_m), 0.5, task_.vehicle.cruise_speed_mps});
     tracked_leg_ = plan_.legs_done;
   }
-  track_->add(vehicle.time_s, vehicle.position_m);
+  track_->add(vehicle.time_s, vehicle.position_m, vehicle.covering);
 }
 
 bool PlanKeeper::refuse() {

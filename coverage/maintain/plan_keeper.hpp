@@ -28,6 +28,7 @@ struct AircraftView {
   AircraftMode mode = AircraftMode::kLanded;
   std::size_t leg_index = 0;
   std::size_t legs_done = 0;
+  bool covering = true;  ///< looks down, wherever it is
   bool on_ground() const { return mode == AircraftMode::kLanded || mode == AircraftMode::kDocked; }
 };
 

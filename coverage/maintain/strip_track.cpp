@@ -27,22 +27,25 @@ bool StripTrack::on_line(const Vec3& position_m) const {
   return off.head<2>().norm() <= params_.lateral_m + 1e-6 && std::abs(off.z()) <= params_.height_m + 1e-6;
 }
 
-void StripTrack::add(double time_s, const Vec3& position_m) {
-  const Sample now{time_s, along_m(position_m), on_line(position_m)};
+void StripTrack::add(double time_s, const Vec3& position_m, bool covering) {
+  const Sample now{time_s, along_m(position_m), on_line(position_m), covering};
   if (last_ && now.time_s <= last_->time_s) return;
   ++samples_;
   if (last_) largest_move_m_ = std::max(largest_move_m_, std::abs(now.along_m - last_->along_m));
-  if (now.good) {
+  const double duration = last_ ? now.time_s - last_->time_s : 0.0;
+  // Where it begins or ends to cover is known as finely as positions come.
+  const bool begins_or_ends =
+      last_ && last_->on_line && last_->covering != now.covering && duration <= kJoined_s;
+  if (now.on_line && (now.covering || begins_or_ends)) {
     seen_ = true;
     Gap piece{now.along_m, now.along_m};
     // Backwards along the line is the way to its entry, not the leg.
-    if (last_ && last_->good && now.along_m >= last_->along_m) {
+    const bool onward = last_ && last_->on_line && now.along_m >= last_->along_m;
+    if (onward && (begins_or_ends || last_->covering)) {
       const double step = now.along_m - last_->along_m;
-      const double duration = now.time_s - last_->time_s;
       longest_step_m_ = std::max(longest_step_m_, step);
-      if (duration <= kJoined_s || step >= kStraightShare * params_.speed_mps * duration) {
+      if (duration <= kJoined_s || step >= kStraightShare * params_.speed_mps * duration)
         piece = {last_->along_m, now.along_m};
-      }
     }
     if (!flown_.empty() && piece.from_m <= flown_.back().to_m + 1e-9 &&
         piece.from_m >= flown_.back().from_m) {

@@ -21,14 +21,15 @@ struct Gap {
 };
 
 /// Follows what of one leg was really flown, from its entry towards its exit, from positions. Two positions
-/// on the line with nothing off it between them are taken as joined; how finely the ends are known depends on
-/// how often positions come.
+/// on the line with nothing off it between them are taken as joined, unless the aircraft covers at neither:
+/// over what it goes round it may fly on the line and not look down. How finely the ends are known depends
+/// on how often positions come.
 class StripTrack {
  public:
   StripTrack(const Leg& leg, const TrackParams& params)
       : entry_m_(leg.entry_m), exit_m_(leg.exit_m), params_(params) {}
 
-  void add(double time_s, const Vec3& position_m);
+  void add(double time_s, const Vec3& position_m, bool covering = true);
   /// The leg now ends here, on its line.
   void end_at(const Vec3& exit_m) { exit_m_ = exit_m; }
   bool on_line(const Vec3& position_m) const;
@@ -47,7 +48,8 @@ class StripTrack {
   struct Sample {
     double time_s;
     double along_m;
-    bool good;
+    bool on_line;
+    bool covering;
   };
   std::vector<Gap> merged() const;
 

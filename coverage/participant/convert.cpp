@@ -231,8 +231,13 @@ void take_ways(const data::CoveragePlan& in, LivePlan& out) {
 }  // namespace
 
 AircraftView to_view(const data::VehicleState& state) {
-  return {state.time_s,        to_vec(state.position), to_vec(state.velocity_mps),
-          to_mode(state.mode), state.leg_index,        state.legs_done};
+  return {state.time_s,
+          to_vec(state.position),
+          to_vec(state.velocity_mps),
+          to_mode(state.mode),
+          state.leg_index,
+          state.legs_done,
+          state.mode == data::VehicleMode::kCovering};
 }
 
 BatteryView to_view(const data::BatteryState& state) { return {state.time_s, state.energy, state.capacity}; }

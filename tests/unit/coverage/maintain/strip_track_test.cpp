@@ -39,6 +39,25 @@ TEST_F(Track, ADetourLeavesItsStretch) {
   EXPECT_NEAR(track.flown_from_entry_m(), 40.0, 1.0);
 }
 
+TEST_F(Track, FlownOverWithoutCoveringIsMissing) {
+  StripTrack track(leg_, {});
+  fly(track, 0.0, 40.0);
+  // Over an obstacle, within what the altitude may be off.
+  for (double x = 40.8; x < 60.0; x += 0.8) track.add(time_ += 0.1, Vec3(x, 0, 22), false);
+  fly(track, 60.0, 100.0);
+  ASSERT_EQ(track.gaps().size(), 1U);
+  EXPECT_NEAR(track.gaps()[0].from_m, 40.0, 1.0);
+  EXPECT_NEAR(track.gaps()[0].to_m, 60.0, 1.0);
+}
+
+TEST_F(Track, AHoldOnTheWayIsNoGap) {
+  StripTrack track(leg_, {});
+  fly(track, 0.0, 40.0);
+  for (int i = 0; i < 50; ++i) track.add(time_ += 0.1, Vec3(40.4, 0, 20), false);
+  fly(track, 41.0, 100.0);
+  EXPECT_TRUE(track.gaps().empty());
+}
+
 TEST_F(Track, AShortLegPassedFarAsideIsMissing) {
   leg_.exit_m = Vec3(10, 0, 20);
   StripTrack track(leg_, {});
