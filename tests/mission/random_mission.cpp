@@ -16,6 +16,7 @@
 #include "planner/participant/planner_participant.hpp"
 #include "qos/memory/bus.hpp"
 #include "tests/mission/random_kinds.hpp"
+#include "tests/mission/random_obstacles.hpp"
 #include "tools/mission/check/flight_check.hpp"
 #include "tools/mission/check/rules_of.hpp"
 #include "tools/sim/sim_participant.hpp"
@@ -203,7 +204,10 @@ class ClosedLoop {
             *charger_bus, clock_, {.charger_id = 1, .delays = mission_.delays, .losses = mission_.losses})
             .value();
     const auto coverage = coverage::CoverageParticipant::make(*coverage_bus, clock_, {}).value();
-    const auto planner = planner::PlannerParticipant::make(*planner_bus, clock_, {}).value();
+    const auto planner =
+        planner::PlannerParticipant::make(*planner_bus, clock_,
+                                          {.obstacle_acceleration_mps2 = mission_.obstacle_acceleration_mps2})
+            .value();
     auto made = sim::SimParticipant::make(*sim_bus, clock_, mission_.scenario,
                                           {.rate = mission_.rate,
                                            .await = {1, 2, 3},
@@ -304,29 +308,7 @@ class ClosedLoop {
   double ground_loss_s_ = -kForever_s;
 };
 
-bool under(const data::Leg& leg, double half_width_m, const Vec2& p) {
-  const Vec2 entry(leg.entry.x_m, leg.entry.y_m);
-  const Vec2 way = Vec2(leg.exit.x_m, leg.exit.y_m) - entry;
-  const double length = way.norm();
-  if (leg.kind != data::LegKind::kCover || length < 1e-9) return false;
-  const Vec2 off = p - entry;
-  const double along = off.dot(way) / length;
-  const double across = (off.x() * way.y() - off.y() * way.x()) / length;
-  return along >= 0.0 && along <= length && std::abs(across) <= half_width_m;
-}
-
 }  // namespace
-
-/// Crossings of a ray to the east.
-bool within(const coverage::Ring& ring, const Vec2& p) {
-  bool inside = false;
-  for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
-    if ((ring[i].y() > p.y()) == (ring[j].y() > p.y())) continue;
-    const double share = (p.y() - ring[i].y()) / (ring[j].y() - ring[i].y());
-    if (p.x() < ring[i].x() + share * (ring[j].x() - ring[i].x())) inside = !inside;
-  }
-  return inside;
-}
 
 void write_polygons(const std::vector<coverage::Polygon>& fields, const std::string& file) {
   nlohmann::json features = nlohmann::json::array();
@@ -356,6 +338,8 @@ RandomMission random_mission(std::uint64_t seed, const std::string& folder) {
   std::filesystem::create_directories(folder);
   Rng kinds(seed * 7919 + 2);
   draw_kinds(kinds, mission, folder);
+  Rng world(seed * 104729 + 2);
+  draw_obstacles(world, mission);
   mission.scenario.coverage->fields_file = folder + "/" + std::to_string(seed) + ".geojson";
   write_polygons(mission.fields, mission.scenario.coverage->fields_file);
   if (mission.no_fly.empty()) return mission;
@@ -365,32 +349,5 @@ RandomMission random_mission(std::uint64_t seed, const std::string& folder) {
 }
 
 MissionEnd fly(const RandomMission& mission) { return ClosedLoop(mission).run(); }
-
-double claimed_percent(const RandomMission& mission, const data::CoveragePlan& plan, std::size_t legs_done) {
-  const double half_width_m = 0.5 * mission.scenario.coverage->sensor_width_m;
-  std::size_t inside = 0;
-  std::size_t seen = 0;
-  for (const coverage::Polygon& field : mission.fields) {
-    for (double x = -199.5; x < 400.0; x += 1.0) {
-      for (double y = -199.5; y < 250.0; y += 1.0) {
-        const Vec2 p(x, y);
-        if (!within(field.outline, p)) continue;
-        if (std::any_of(field.holes.begin(), field.holes.end(),
-                        [&](const coverage::Ring& hole) { return within(hole, p); }))
-          continue;
-        if (std::any_of(mission.no_fly.begin(), mission.no_fly.end(),
-                        [&](const coverage::Polygon& area) { return within(area.outline, p); }))
-          continue;
-        ++inside;
-        for (std::size_t i = 0; i < std::min(legs_done, plan.legs.size()); ++i) {
-          if (!under(plan.legs[i], half_width_m, p)) continue;
-          ++seen;
-          break;
-        }
-      }
-    }
-  }
-  return inside == 0 ? 0.0 : 100.0 * static_cast<double>(seen) / static_cast<double>(inside);
-}
 
 }  // namespace swallowtail::mission

@@ -34,6 +34,8 @@ struct RandomMission {
   std::vector<Silence> silences;
   std::function<bool(const Vec2&)> is_closed;  ///< to the robot; none: nowhere
   std::optional<double> robot_dies_s;          ///< it neither drives nor, perhaps, speaks from then on
+  int obstacles = 0;                           ///< that stop or turn on or beside the strips
+  double obstacle_acceleration_mps2 = 0.0;     ///< see planner::PlannerOptions
   std::string faults;                          ///< in words
 };
 
@@ -66,8 +68,9 @@ RandomMission random_mission(std::uint64_t seed, const std::string& folder);
 /// Flies it with simulator, charger, coverage and planner in this process, on one manual clock.
 MissionEnd fly(const RandomMission& mission);
 
-/// What of the fields, less the no-fly areas, the legs that count as done cover, 0 … 100: cells of a metre
-/// whose centre lies within half a sensor's width of such a leg. Shares no code with the simulator's raster.
+/// What of the fields, less the no-fly areas, the legs that count as done cover, 0 … 100: cells of half a
+/// metre whose centre lies within half a sensor's width of such a leg. Shares no code with the simulator's
+/// raster.
 double claimed_percent(const RandomMission& mission, const data::CoveragePlan& plan, std::size_t legs_done);
 
 }  // namespace swallowtail::mission
