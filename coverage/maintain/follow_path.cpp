@@ -28,6 +28,16 @@ bool PlanKeeper::is_on_path() const {
          (path_.position_m(vehicle_->time_s) - vehicle_->position_m).norm() <= kOffPath_m;
 }
 
+/// The path ends in the air, and not above where the plan lands: the planner knows no way there.
+bool PlanKeeper::is_held_up() const {
+  if (!is_path_of_plan() || path_.lands()) return false;
+  const auto lands =
+      std::find_if(plan_.legs.begin() + static_cast<std::ptrdiff_t>(plan_.legs_done), plan_.legs.end(),
+                   [](const Leg& leg) { return leg.transfer != Transfer::kFF; });
+  const Vec3 hold_m = path_.position_m(path_.end_s());
+  return lands != plan_.legs.end() && (lands->exit_m - hold_m).head<2>().norm() > kOffPath_m;
+}
+
 /// What the path to the next landing takes above what its legs do.
 double PlanKeeper::surcharge() const {
   if (!is_path_of_plan() || !path_.lands()) return 0.0;
@@ -35,12 +45,14 @@ double PlanKeeper::surcharge() const {
   return std::max(0.0, flown - legs_to_next_landing().energy);
 }
 
-/// How far along a leg the path is so many seconds from now, if it has begun it by then.
+/// How far along a leg that it has begun by then the path has come so many seconds from now.
 double PlanKeeper::into_leg_m(std::size_t leg, double ahead_s) const {
   const Vec3 way = plan_.legs[leg].exit_m - plan_.legs[leg].entry_m;
-  const double at_s = vehicle_->time_s + ahead_s;
   const double length = way.norm();
-  if (length < 1e-9 || at_s >= path_.leg_end_s(leg)) return length;
+  if (length < 1e-9) return length;
+  const double end_s = path_.leg_end_s(leg);
+  double at_s = vehicle_->time_s + ahead_s;
+  if (std::isfinite(end_s)) at_s = std::min(at_s, end_s);
   return std::clamp((path_.position_m(at_s) - plan_.legs[leg].entry_m).dot(way) / length, 0.0, length);
 }
 

@@ -128,6 +128,7 @@ class PlanKeeper {
   Commitment committed_on_path() const;
   double into_leg_m(std::size_t leg, double ahead_s) const;
   bool is_on_path() const;
+  bool is_held_up() const;
   bool is_path_of_plan() const { return is_on_path() && path_.coverage_revision() >= legs_revision_; }
   std::optional<FlightCost> to_next_landing() const;
   FlightCost legs_to_next_landing() const;

@@ -89,12 +89,13 @@ bool PlanKeeper::is_last_chance(const FlightCost& to_landing) const {
   const double wait = kSampleEvery_s * model().power(vehicle_->velocity_mps, vehicle_->position_m.z());
   const double deviation = kDeviations * consumption_.upright_deviation(down.descent);
   if (energy_now() - energy - deviation - wait >= task_.battery.reserve) return false;
+  if (is_held_up()) return true;
   return to_landing.energy > energy + kWorseShare * task_.battery.capacity;
 }
 
 /// In flight: does the energy reach the next landing?
 bool PlanKeeper::review_flight() {
-  if (vehicle_->mode == AircraftMode::kLanding || lands_at_once_) {
+  if (vehicle_->mode == AircraftMode::kLanding || (lands_at_once_ && !is_held_up())) {
     // Nothing is left to decide, but it is said.
     if (told_short_ || energy_now() >= task_.battery.reserve) return false;
     told_short_ = true;
@@ -107,7 +108,7 @@ bool PlanKeeper::review_flight() {
   const double slack = energy_now() - cost->energy - task_.battery.reserve;
   const bool holds = slack >= cost->energy * params_.trigger_margin + landing_spare();
   const bool last_chance = is_last_chance(*cost);
-  if (holds && !last_chance) return false;
+  if (!last_chance && (holds || lands_at_once_)) return false;
   const bool is_news = !solved_slack_ || slack < *solved_slack_ - kWorseShare * task_.battery.capacity;
   if (!is_news && !last_chance) return false;
   const std::string reason =

@@ -36,11 +36,6 @@ std::optional<Vec3> landing_near(const Vec3& place, double time_s, const Clearan
   return std::nullopt;
 }
 
-bool has_cover(const std::vector<RoutePoint>& route) {
-  return std::any_of(route.begin(), route.end(),
-                     [](const RoutePoint& p) { return p.phase == Phase::kCover; });
-}
-
 double hold_begins_s(const TimedPath& path) {
   std::size_t i = path.size() - 1;
   while (i > 0 && path[i].phase == Phase::kHold) --i;
@@ -72,17 +67,16 @@ double PlannerParticipant::spare_s(std::uint32_t leg) const {
   return (coverage_->legs[leg].energy_after - task_->battery.reserve) * time_s / energy;
 }
 
-/// Where the landing that a plan asks for is shut and the energy does not last for a hold, the aircraft comes
-/// down near where it would hold, and the robot comes there.
+/// Where there is no way to the landing that a plan asks for and the energy does not last for a hold, the
+/// aircraft comes down near where it would hold, and the robot comes there.
 ReplanReport PlannerParticipant::plan_or_land(ReplanRequest request) {
   const auto stop = [this] {
     return StopCondition{.clock = &clock_, .deadline_s = clock_.now_s() + 1e-3 * options_.budget_ms};
   };
   ReplanReport report = replanner_->plan(keeper_.world(), request, stop());
-  const bool is_shut =
-      request.route.back().phase == Phase::kLanding && (report.goal_is_blocked || !has_cover(request.route));
-  if (report.verdict != Verdict::kContingency || report.lands || !is_shut || !coverage_ || !task_)
-    return report;
+  const bool is_held_up = report.verdict == Verdict::kContingency && !report.lands &&
+                          request.route.back().phase == Phase::kLanding;
+  if (!is_held_up || !coverage_ || !task_) return report;
   const std::uint32_t leg = request.route.back().leg_index;
   const TimedWaypoint& hold = report.path.back();
   if (hold.time_s - hold_begins_s(report.path) <= spare_s(leg)) return report;
