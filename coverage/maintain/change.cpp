@@ -66,7 +66,7 @@ std::vector<Leg> PlanKeeper::unseen_parts(const SubCell& cell, const std::vector
 }
 
 /// What is flown: legs done, and those begun before a change can reach the aircraft; of the leg that was
-/// broken off its beginning; nothing of what was left out.
+/// broken off its beginning.
 std::vector<Leg> PlanKeeper::flown_legs(std::size_t committed) const {
   const std::size_t past = std::min(plan_.legs.size(), plan_.legs_done + committed);
   std::vector<Leg> out(plan_.legs.begin(), plan_.legs.begin() + static_cast<std::ptrdiff_t>(past));
@@ -78,9 +78,6 @@ std::vector<Leg> PlanKeeper::flown_legs(std::size_t committed) const {
       out.push_back(begun);
     }
   }
-  std::erase_if(out, [&](const Leg& leg) {
-    return std::find(left_out_.begin(), left_out_.end(), leg.sub_cell_id) != left_out_.end();
-  });
   out.insert(out.end(), retired_.begin(), retired_.end());
   return out;
 }
@@ -94,7 +91,7 @@ bool PlanKeeper::replace_aircraft(const AircraftView& vehicle) {
   plan_.legs.clear();
   plan_.approach_m.clear();
   plan_.rendezvous.clear();
-  left_out_.clear();
+  later_.clear();
   track_.reset();
   battery_.reset();
   consumption_ = {};

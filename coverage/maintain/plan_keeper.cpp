@@ -11,7 +11,6 @@ namespace {
 
 constexpr double kAtSite_m = 1.5;
 constexpr double kShiftEvery_s = 30.0;
-constexpr double kGapOverlap_m = 0.5;
 constexpr double kFresh_s = 3.0;             ///< how old a battery state may be to decide on it
 constexpr double kLandingSpareShare = 0.01;  ///< of the capacity
 constexpr double kLastSeconds_s = 20.0;
@@ -191,56 +190,6 @@ void PlanKeeper::pass_meeting(const Vec3& from_m) {
   }
 }
 
-void PlanKeeper::finish_leg(std::size_t leg) {
-  if (!track_ || tracked_leg_ != leg) return;
-  const Leg flown = plan_.legs[leg];
-  const double length = track_->length_m();
-  for (const Gap& gap : track_->gaps()) {
-    left_out_.push_back(flown.sub_cell_id);
-    int& tries = tries_[flown.sub_cell_id];
-    if (tries >= params_.gap_tries || length < 1e-6) {
-      unflown_m_ += gap.to_m - gap.from_m;
-      given_up_ = std::to_string(std::lround(std::ceil(unflown_m_))) +
-                  " m of strips given up, the last of sub-cell " + std::to_string(flown.sub_cell_id) +
-                  " after " + std::to_string(tries + 1) + " tries";
-      gives_up_ = true;
-      continue;
-    }
-    const Vec3 along = (flown.exit_m - flown.entry_m) / length;
-    Leg piece = flown;
-    piece.sub_cell_id = next_id_++;
-    piece.entry_m = flown.entry_m + along * std::max(0.0, gap.from_m - kGapOverlap_m);
-    piece.exit_m = flown.entry_m + along * std::min(length, gap.to_m + kGapOverlap_m);
-    piece.transfer = Transfer::kFF;
-    tries_[piece.sub_cell_id] = tries + 1;
-    gaps_.push_back(piece);
-  }
-}
-
-void PlanKeeper::follow_progress(const AircraftView& vehicle) {
-  const std::size_t done = std::min(vehicle.legs_done, plan_.legs.size());
-  while (plan_.legs_done < done) {
-    if (track_ && tracked_leg_ == plan_.legs_done)
-      track_->add(vehicle.time_s, vehicle.position_m, vehicle.covering);
-    finish_leg(plan_.legs_done);
-    ++plan_.legs_done;
-    track_.reset();
-  }
-  // A meeting before a leg that is flown is over, whether it was kept or not.
-  std::erase_if(plan_.rendezvous,
-                [&](const Rendezvous& meeting) { return legs_before(meeting.id) < plan_.legs_done; });
-  if (vehicle.on_ground() || vehicle.leg_index != plan_.legs_done || plan_.legs_done >= plan_.legs.size())
-    return;
-  const Leg& leg = plan_.legs[plan_.legs_done];
-  if (leg.kind != LegKind::kCover) return;
-  if (!track_ || tracked_leg_ != plan_.legs_done) {
-    track_.emplace(
-        leg, TrackParams{0.5, std::max(0.5, task_.height_tolerance_m), 0.5, task_.vehicle.cruise_speed_mps});
-    tracked_leg_ = plan_.legs_done;
-  }
-  track_->add(vehicle.time_s, vehicle.position_m, vehicle.covering);
-}
-
 bool PlanKeeper::refuse() {
   ++refused_;
   return false;
@@ -355,7 +304,10 @@ bool PlanKeeper::on_robot(const RobotView& robot) {
 void PlanKeeper::note_revision(const std::string& reason) {
   send_robot(plan_);
   ++plan_.revision;
-  if (!same_sortie(told_legs_, plan_.legs, plan_.legs_done)) legs_revision_ = plan_.revision;
+  if (!same_sortie(told_legs_, plan_.legs, plan_.legs_done)) {
+    legs_revision_ = plan_.revision;
+    later_.clear();
+  }
   told_legs_ = plan_.legs;
   plan_.reason = reason;
   for (const std::string& lacks : {plan_.lacks, given_up_}) {

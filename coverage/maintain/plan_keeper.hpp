@@ -141,6 +141,8 @@ class PlanKeeper {
   bool refuse();
   void follow_progress(const AircraftView& vehicle);
   void finish_leg(std::size_t leg);
+  Leg flown_part(Leg leg, const std::vector<Gap>& gaps) const;
+  void watch(const AircraftView& vehicle);
   bool tell_given_up(bool changed);
   void pass_meeting(const Vec3& from_m);
   bool may_retry();
@@ -209,9 +211,9 @@ class PlanKeeper {
   std::vector<Leg> retired_;         ///< flown by aircraft before this one, no longer in the plan
   std::optional<StripTrack> track_;
   std::size_t tracked_leg_ = 0;
-  std::vector<Leg> gaps_;                ///< left out, not in the plan yet
-  std::map<std::uint32_t, int> tries_;   ///< by sub-cell: how often it has been a gap
-  std::vector<std::uint32_t> left_out_;  ///< sub-cells whose legs were not flown whole
+  std::map<std::size_t, StripTrack> later_;  ///< by leg: begun while those before are not done
+  std::vector<Leg> gaps_;                    ///< left out, not in the plan yet
+  std::map<std::uint32_t, int> tries_;       ///< by sub-cell: how often it has been a gap
   std::uint32_t next_id_ = 0;
   double unflown_m_ = 0.0;
   std::string given_up_;   ///< stretches, in words

@@ -207,6 +207,41 @@ TEST_F(Keeper, WhatIsLeftOutIsSaidWithEveryReason) {
   EXPECT_FALSE(made->complete());
 }
 
+TEST_F(Keeper, OfALegLeftOutInPartThePlanKeepsWhatWasFlown) {
+  auto made = PlanKeeper::make(holed_task(), planner::Terrain::flat(0.0), {});
+  ASSERT_TRUE(made.ok());
+  made->on_vehicle(AircraftView{});
+  const Leg planned = made->plan().legs[0];
+  ASSERT_EQ(planned.transfer, Transfer::kFF);
+  for (int step = 0; step <= 100; ++step) {
+    AircraftView view = on_leg(made->plan(), 0, 0.01 * step);
+    view.covering = step < 60;
+    made->on_vehicle(view);
+  }
+  made->on_vehicle(on_leg(made->plan(), 1, 0.0));
+  const Leg& flown = made->plan().legs[0];
+  const double length = (planned.exit_m - planned.entry_m).norm();
+  EXPECT_EQ(flown.entry_m, planned.entry_m);
+  EXPECT_NEAR((flown.exit_m - flown.entry_m).norm(), 0.6 * length, 0.02 * length);
+}
+
+TEST_F(Keeper, ALegThatThePlannerPassedOverIsFlownLater) {
+  auto made = PlanKeeper::make(holed_task(), planner::Terrain::flat(0.0), {});
+  ASSERT_TRUE(made.ok());
+  made->on_vehicle(AircraftView{});
+  const Leg passed_over = made->plan().legs[0];
+  ASSERT_EQ(passed_over.transfer, Transfer::kFF);
+  for (int step = 0; step <= 100; ++step) {
+    AircraftView view = on_leg(made->plan(), 1, 0.01 * step);
+    view.legs_done = 0;
+    made->on_vehicle(view);
+  }
+  made->on_vehicle(on_leg(made->plan(), 2, 0.0));
+  EXPECT_EQ(made->plan().legs[0].kind, LegKind::kReposition) << "nothing of it is flown";
+  EXPECT_EQ(made->plan().legs[1].kind, LegKind::kCover);
+  EXPECT_FALSE(made->complete()) << "it is to be flown yet";
+}
+
 /// Metres of a new field's middle line that no leg of the plan passes within half a width.
 double unplanned_m(const LivePlan& plan, const Vec2& from, const Vec2& to) {
   double out = 0.0;
