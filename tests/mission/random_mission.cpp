@@ -222,10 +222,10 @@ class ClosedLoop {
       const auto stepped = sim->step();
       more = stepped.ok() && *stepped;
       judge_reserve(sim->simulation());
-      if (!is_silent()) (void)charger->step();
-      (void)coverage->step();
-      (void)planner->step();
-      (void)planner->beat();
+      if (!is_silent()) expect(charger->step());
+      expect(coverage->step());
+      expect(planner->step());
+      expect(planner->beat());
     }
     end_.summary = nlohmann::json::parse(sim->summary());
     judge_robot();
@@ -245,6 +245,10 @@ class ClosedLoop {
       if (!robot_.chargers.empty() && state.energy > robot_.chargers.back().energy) ++end_.refills;
       robot_.chargers.push_back(state);
     }});
+  }
+
+  void expect(const Status& stepped) {
+    if (!stepped && end_.failures.size() < 10) end_.failures.push_back(stepped.error().message);
   }
 
   void judge_robot() {

@@ -87,6 +87,7 @@ TEST(RandomMission, KeepsItsReserveAndEndsCompletedOrWithATrueReason) {
     EXPECT_EQ(end.summary["collisions"], 0);
     EXPECT_EQ(end.summary["violations"], 0);
     for (const std::string& fault : end.robot_faults) ADD_FAILURE() << fault;
+    for (const std::string& failure : end.failures) ADD_FAILURE() << failure;
     refills += end.refills;
     if (end.summary["completed"].get<bool>()) {
       ++completed;
