@@ -54,7 +54,7 @@ struct MissionEnd {
   std::string health;       ///< what coverage says of itself
   std::vector<Breach> breaches;
   std::vector<std::string> reasons;       ///< of all revisions, in order
-  std::vector<std::string> robot_faults;  ///< what is wrong with the robot's own energy
+  std::vector<std::string> robot_faults;  ///< in its own energy, and in where it drives
   std::vector<std::string> failures;      ///< of participants that would have ended
   int refills = 0;
 };
