@@ -7,8 +7,9 @@
 
 namespace swallowtail::charger {
 
-/// How near to a site the robot counts as standing on it.
-inline constexpr double kArrival_m = 0.05;
+/// How near to a site the robot counts as standing on it: less than sites lie off no-fly areas, so that none
+/// is carried into one.
+inline constexpr double kArrival_m = 0.01;
 
 /// How far from its way the robot counts as on it.
 inline constexpr double kOnWay_m = 0.5;
