@@ -109,6 +109,11 @@ Status PlannerParticipant::subscribe_mission() {
     inbox->charger.put(charger);
   }});
   if (!done) return done;
+  done = bus_.subscribe<data::ChargerPlan>({.on_sample = [inbox, bus, ours](const data::ChargerPlan& orders) {
+    if (orders.vehicle_id != ours) return bus->count_rejection("ChargerPlan", "unknown vehicle");
+    inbox->orders.put(orders);
+  }});
+  if (!done) return done;
   return bus_.subscribe<data::PathPlan>({.on_sample = [inbox, ours](const data::PathPlan& plan) {
     if (plan.vehicle_id == ours) inbox->path.put(plan);
   }});

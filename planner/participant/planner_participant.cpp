@@ -128,6 +128,7 @@ void PlannerParticipant::take_inbox() {
     vehicle_ = vehicle;
   }
   if (auto charger = inbox_->charger.take()) charger_ = charger;
+  if (auto orders = inbox_->orders.take()) orders_ = std::move(orders);
   take_changes();
   if (options_.obstacle_acceleration_mps2 > 0.0) {
     const double answered_s = (1 << late_) * lead_s(inbox_->time.rate(), options_.budget_ms);
@@ -141,13 +142,21 @@ bool PlannerParticipant::has_mission() const {
   return replanner_ && ((task_ && coverage_ && coverage_->task_id == task_->task_id) || goal_);
 }
 
+bool PlannerParticipant::meets_charger_first() const {
+  return orders_ && orders_->task_id == task_->task_id &&
+         std::ranges::any_of(orders_->rendezvous, [this](const data::Rendezvous& meeting) {
+           return meeting.kind == data::StopKind::kMeeting &&
+                  meeting.rendezvous_id == 2 * vehicle_->legs_done;
+         });
+}
+
 bool PlannerParticipant::may_take_off() const {
   if (!coverage_ || !task_) return goal_.has_value();
   if (vehicle_->legs_done >= coverage_->legs.size()) return false;
   const Vec3 position = to_vec(vehicle_->position);
   const bool at_start = (position - to_vec(task_->start)).head<2>().norm() <= kBeside_m;
   if (vehicle_->legs_done == 0 && at_start && vehicle_->mode == VehicleMode::kLanded &&
-      !vehicle_->path_revision)
+      !vehicle_->path_revision && !meets_charger_first())
     return true;
   return charger_ && charger_->activity == data::ChargerActivity::kReady &&
          (to_vec(charger_->position) - position).head<2>().norm() <= kBeside_m;

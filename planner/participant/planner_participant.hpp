@@ -37,10 +37,11 @@ struct PlannerOptions {
 Status validate(const PlannerOptions& options);
 
 /// Keeps one vehicle's path true. Reads TerrainTile, Obstacle, VehicleState, CoverageTask, CoveragePlan,
-/// Goal, ChargerState, MissionClock and the PathPlan of whoever else plans for this vehicle; writes PathPlan
-/// and ParticipantStatus.
-/// - On the ground and free to go (at the mission's start; or charged, the charger READY beside it) it plans
-/// the next sortie along the legs ahead, or the way to the goal.
+/// ChargerPlan, Goal, ChargerState, MissionClock and the PathPlan of whoever else plans for this vehicle;
+/// writes PathPlan and ParticipantStatus.
+/// - On the ground and free to go (at the mission's start, unless the charger is to come there first; or
+/// charged, the charger READY beside it) it plans the next sortie along the legs ahead, or the way to the
+/// goal.
 /// - In flight it certifies the rest of the path anew whenever the world changes, and replans from where the
 /// vehicle will be in `lead_s` if that fails or the legs ahead have changed; a contingency is
 ///   replaced as soon as something better is certified.
@@ -74,6 +75,7 @@ class PlannerParticipant {
     Mailbox<data::CoveragePlan> coverage;
     Mailbox<data::Goal> goal;
     Mailbox<data::ChargerState> charger;
+    Mailbox<data::ChargerPlan> orders;
     std::atomic<std::uint32_t> charger_id{0};  ///< of the task; 0: not known yet
     Mailbox<data::PathPlan> path;
     std::mutex mutex;
@@ -98,6 +100,7 @@ class PlannerParticipant {
   void use_limits(const data::VehicleLimits& limits, std::uint64_t seed);
 
   bool has_mission() const;
+  bool meets_charger_first() const;
   bool may_take_off() const;
   bool lost_track() const;
   Status act(double now_s);
@@ -128,6 +131,7 @@ class PlannerParticipant {
   std::optional<data::CoveragePlan> coverage_;
   std::optional<data::Goal> goal_;
   std::optional<data::ChargerState> charger_;
+  std::optional<data::ChargerPlan> orders_;
   std::optional<data::VehicleState> vehicle_;
   bool mission_changed_ = false;
   bool owes_path_ = false;  ///< there was no safe path for what has changed since the last one

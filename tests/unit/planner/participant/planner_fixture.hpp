@@ -26,6 +26,7 @@ class PlannerFixture {
     goals_ = open<data::Goal>();
     obstacles_ = open<data::Obstacle>();
     chargers_ = open<data::ChargerState>();
+    orders_ = open<data::ChargerPlan>();
     tiles_ = open<data::TerrainTile>();
     const Status subscribed =
         wire_->subscribe<data::PathPlan>({.on_sample = [this](const data::PathPlan& plan) {
@@ -94,6 +95,7 @@ class PlannerFixture {
   void publish(const data::Goal& g) { ok(goals_->publish(g)); }
   void publish(const data::Obstacle& o) { ok(obstacles_->publish(o)); }
   void publish(const data::ChargerState& c) { ok(chargers_->publish(c)); }
+  void publish(const data::ChargerPlan& o) { ok(orders_->publish(o)); }
   void publish(const data::TerrainTile& t) { ok(tiles_->publish(t)); }
   void remove(const data::Obstacle& o) { ok(obstacles_->dispose(o)); }
 
@@ -190,6 +192,7 @@ class PlannerFixture {
   std::unique_ptr<Publisher<data::Goal>> goals_;
   std::unique_ptr<Publisher<data::Obstacle>> obstacles_;
   std::unique_ptr<Publisher<data::ChargerState>> chargers_;
+  std::unique_ptr<Publisher<data::ChargerPlan>> orders_;
   std::unique_ptr<Publisher<data::TerrainTile>> tiles_;
 };
 

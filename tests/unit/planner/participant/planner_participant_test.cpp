@@ -71,6 +71,21 @@ TEST_F(PlannerTest, WaitsForTheChargerBetweenSorties) {
   EXPECT_NEAR(vehicle.position.x_m, 10.0, 1e-6);
 }
 
+TEST_F(PlannerTest, WaitsAtTheStartForAChargerThatIsToComeFirst) {
+  data::ChargerPlan orders;
+  orders.charger_id = 1;
+  orders.task_id = 1;
+  orders.vehicle_id = 1;
+  orders.rendezvous.emplace_back().site = vehicle.position;
+  publish(orders);
+  start_mission({Transfer::kEnd});
+  run(10.0);
+  EXPECT_EQ(path_count(), 0u);
+  charger_ready_at(vehicle.position);
+  run(2.0);
+  EXPECT_EQ(path_count(), 1u);
+}
+
 TEST_F(PlannerTest, LandsAtTheNextEntryWhereThePlanSaysSo) {
   start_mission({Transfer::kFFDU, Transfer::kEnd});
   run(60.0);
