@@ -165,6 +165,8 @@ class PlanKeeper {
   enum class Otherwise : std::uint8_t { kLand, kGoOn };  ///< where nothing keeps the reserve
   bool solve_in_flight(const std::string& reason, Otherwise otherwise = Otherwise::kLand);
   bool solve_on_ground(const std::string& reason);
+  bool solve_at_start(const std::vector<Leg>& legs, const std::string& reason);
+  std::optional<RestPlan> plan_from_robot(std::vector<Leg> legs, ScheduleStart& start, bool is_carried);
   bool solve_docked(const std::string& reason);
   bool top_up_charge();
   bool come_down(const std::string& reason);

@@ -202,41 +202,68 @@ Rendezvous PlanKeeper::meeting_at(const ScheduleStart& docked, double land_s, co
   return out;
 }
 
-/// Landed where no meeting was planned: the robot comes here first.
-bool PlanKeeper::solve_on_ground(const std::string& reason) {
-  std::vector<Leg> legs = unflown_legs();
-  if (legs.empty()) return false;
+/// The rest from where the robot meets the aircraft, or from the next leg's entry where it carries it to;
+/// `start` is docked at the one, and comes back docked at the other.
+std::optional<RestPlan> PlanKeeper::plan_from_robot(std::vector<Leg> legs, ScheduleStart& start,
+                                                    bool is_carried) {
   const FlightModel flight = model();
-  const Vec3 site = flight.ground(vehicle_->position_m);
-  ScheduleStart start;
-  start.position_m = site;
-  start.energy = energy_now();
-  if (!has_flown_) {
-    start.time_s = vehicle_->time_s;
-    start.robot_m = robot_ ? robot_->position_m : task_.charger.start_m;
-    start.robot_free_s = vehicle_->time_s;
-    if (auto found = plan_rest({legs, 0}, start, plan_.legs_done, flight, rest_params())) {
-      adopt(std::move(*found), reason);
-      return true;
-    }
-  }
-  start.kind = StartKind::kDocked;
-  const double arrives = std::max(vehicle_->time_s, robot_arrives_s(site));
-  no_plan_ = "the robot has no way to where the aircraft landed";
-  if (!std::isfinite(arrives)) return false;
-  start.time_s = arrives + task_.charger.landing_s;
-  if (const auto barred = barred_at(task_.fields, task_.no_fly, site.head<2>())) {
+  const Vec3 site = start.position_m;
+  if (is_carried) {
     start.position_m = flight.ground(legs.front().entry_m);
     start.time_s += drive_s(task_.charger, site, start.position_m);
-    no_plan_ = "the robot has no way to carry the aircraft out of " + *barred;
-    if (!std::isfinite(start.time_s)) return false;
+    if (!std::isfinite(start.time_s)) return std::nullopt;
   } else {
     Vec3 above = site;
     above.z() = std::max(legs.front().entry_m.z(), site.z() + task_.vehicle.clearance_m() + kAboveGround_m);
     legs.insert(legs.begin(), point_leg(above));
   }
   no_plan_ = why_no_rest(legs, flight, rest_params().stops);
-  auto found = plan_rest({std::move(legs), 1}, start, plan_.legs_done, flight, rest_params());
+  return plan_rest({std::move(legs), 1}, start, plan_.legs_done, flight, rest_params());
+}
+
+/// It has not flown, and needs nobody for that.
+bool PlanKeeper::solve_at_start(const std::vector<Leg>& legs, const std::string& reason) {
+  ScheduleStart start;
+  start.position_m = model().ground(vehicle_->position_m);
+  start.energy = energy_now();
+  start.time_s = vehicle_->time_s;
+  start.robot_m = robot_ ? robot_->position_m : task_.charger.start_m;
+  start.robot_free_s = vehicle_->time_s;
+  auto found = plan_rest({legs, 0}, start, plan_.legs_done, model(), rest_params());
+  if (found) adopt(std::move(*found), reason);
+  return found.has_value();
+}
+
+/// Landed where no meeting was planned: the robot comes here first.
+bool PlanKeeper::solve_on_ground(const std::string& reason) {
+  const std::vector<Leg> legs = unflown_legs();
+  if (legs.empty()) return false;
+  if (!has_flown_ && solve_at_start(legs, reason)) return true;
+  const Vec3 site = model().ground(vehicle_->position_m);
+  const double arrives = std::max(vehicle_->time_s, robot_arrives_s(site));
+  no_plan_ = "the robot has no way to where the aircraft landed";
+  if (!std::isfinite(arrives)) return false;
+  ScheduleStart start;
+  start.kind = StartKind::kDocked;
+  start.position_m = site;
+  start.energy = energy_now();
+  start.time_s = arrives + task_.charger.landing_s;
+  std::optional<RestPlan> found;
+  if (const auto barred = barred_at(task_.fields, task_.no_fly, site.head<2>())) {
+    no_plan_ = "the robot has no way to carry the aircraft out of " + *barred;
+    found = plan_from_robot(legs, start, true);
+  } else {
+    ScheduleStart carried = start;
+    found = plan_from_robot(legs, start, false);
+    // To be carried from there it need not take off there first.
+    const bool lands_again =
+        found && !found->rendezvous.empty() && found->rendezvous.front().id == exit_id(plan_.legs_done);
+    auto other = !found || lands_again ? plan_from_robot(legs, carried, true) : std::nullopt;
+    if (other && (!found || other->end_s < found->end_s)) {
+      found = std::move(other);
+      start = carried;
+    }
+  }
   if (!found) return false;
   no_plan_.clear();
   Rendezvous meeting = meeting_at(start, vehicle_->time_s, *found->first);

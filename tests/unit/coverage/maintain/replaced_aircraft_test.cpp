@@ -121,6 +121,25 @@ TEST_F(Replaced, AnotherAircraftInANoFlyAreaIsCarriedOutOfIt) {
   EXPECT_GE(out.depart_s, out.robot_arrives_s + carried_s);
 }
 
+TEST_F(Replaced, AnotherAircraftFarAwayIsCarriedToTheNextLegAtOnce) {
+  Task weak = square_task();
+  weak.battery.capacity = 66.0;
+  weak.charger.speed_mps = 4.0;
+  auto made = PlanKeeper::make(weak, planner::Terrain::flat(0.0), {});
+  ASSERT_TRUE(made.ok()) << made.error().message;
+  keeper_.emplace(std::move(*made));
+  before_ = keeper_->plan();
+  fly(0, 1.0);
+  fly(1, 0.5);
+  now_s_ = before_.legs[1].end_s;
+  const Vec3 away(-260.0, -15.0, 0.0);
+  ASSERT_TRUE(keeper_->on_vehicle(landed(away, 30.0)));
+  const Rendezvous& meeting = keeper_->plan().rendezvous.front();
+  EXPECT_LT((meeting.site_m - away).norm(), 0.1);
+  EXPECT_TRUE(meeting.carry) << "by air it is out of reach";
+  EXPECT_EQ(keeper_->plan().legs.front().kind, LegKind::kCover);
+}
+
 /// Beyond a gate at x = 200 m that can be shut.
 class Gate : public GroundTravel {
  public:
