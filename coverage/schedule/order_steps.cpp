@@ -51,4 +51,9 @@ void OrderValue::lay(std::size_t first, std::span<const RouteLeg> legs) {
   if (is_lift_changed_) changed_lift_ = start_lift(legs.front());
 }
 
+void OrderValue::forget_change() {
+  changed_first_ = changed_past_ = changed_node_ = changed_node_past_ = 0;
+  is_lift_changed_ = false;
+}
+
 }  // namespace swallowtail::coverage

@@ -265,8 +265,13 @@ double OrderValue::best_over(std::size_t border, double cutoff_s) const {
     const auto take = [&](std::size_t to, const Cost& air) {
       const Points& next = value(to);
       Flight flight;
-      if (labels.least_time_s + air.time_s + next.least_time_s >= best || !make_flight(from, to, air, flight))
-        return;
+      // Flown, charged before with what is needed for that at least, and with what is left to do besides.
+      const double left_s =
+          std::max(next.least_time_s + price * least_needs(air), next.least_priced_s + price * air.energy);
+      const double least_s =
+          air.time_s + handling_s(to) +
+          std::max(labels.least_time_s + next.least_time_s, labels.least_priced_s + left_s);
+      if (least_s >= best + kRounding || !make_flight(from, to, air, flight)) return;
       for (const Point& p : next.all) {
         const double time_s = flight.time_s + p.time_s;
         const double needs = std::max(flight.needs, p.energy + flight.consumes);
@@ -286,11 +291,6 @@ double OrderValue::best_over(std::size_t border, double cutoff_s) const {
     }
   }
   return best;
-}
-
-void OrderValue::forget_change() {
-  changed_first_ = changed_past_ = changed_node_ = changed_node_past_ = 0;
-  is_lift_changed_ = false;
 }
 
 double OrderValue::end_with(std::size_t first, std::span<const RouteLeg> legs, double cutoff_s) {
