@@ -11,8 +11,6 @@ namespace {
 constexpr double kSamePlace_m = 1e-6;
 /// Kept above the ground under a transfer, besides the vehicle's clearance.
 constexpr double kTransferMargin_m = 1.0;
-/// What flying takes where there is no way: no battery holds it.
-constexpr FlightCost kBarred{1e9, 1e12, 0.0};
 
 bool differs(double a, double b) { return std::abs(a - b) > kSamePlace_m; }
 

@@ -30,6 +30,10 @@ struct FlightCost {
   }
 };
 
+/// What flying takes where there is no way: no battery holds it. Not to be added up with what is taken off
+/// again.
+inline constexpr FlightCost kBarred{1e9, 1e12, 0.0};
+
 /// Predicts flights the way the planner flies them (planner::time_route): level at cruise speed, vertical
 /// climbs first and descents last, a stop of planner::kStopToTurn_s where a vertical part begins or ends in
 /// the air and where the turn limit would be broken. Transfers climb over the ground between their ends where

@@ -137,7 +137,9 @@ Ways ways_of(const Task& task, std::span<const Polygon> polygons) {
   for (const Field& field : task.fields) {
     if (field.polygon.holes.empty()) continue;
     const auto parts = clean(field.polygon);
-    if (!parts || (task.no_fly.empty() && has_all_holes(field, *parts))) continue;
+    if (!parts) continue;
+    const auto is_among = [&](const Polygon& polygon) { return polygon.outline == parts->front().outline; };
+    if (has_all_holes(field, *parts) && std::ranges::any_of(polygons, is_among)) continue;
     const std::vector<Polygon> holed = with_holes(field, *parts);
     std::ranges::move(holes_without_fields(holed, polygons), std::back_inserter(barred));
     std::ranges::move(holes_around_fields(holed, polygons), std::back_inserter(around));

@@ -56,7 +56,8 @@ struct StopPlanner::Search {
   const StopParams* params = nullptr;
   std::vector<const LegLink*> links;  // i → i+1
   std::vector<FlightCost> cover;
-  std::vector<FlightCost> before;   // covers and hops before entry i, from entry 0
+  std::vector<FlightCost> before;   // covers and hops before entry i, from entry 0, but barred ones
+  std::vector<int> barred;          // hops before entry i
   std::vector<double> time_left;    // at least, from entry i to the end
   std::vector<double> price_left;   // at least, with the energy bought at the charging rate
   std::vector<double> energy_left;  // at least
@@ -85,7 +86,7 @@ struct StopPlanner::Search {
   }
   /// Entry of `first` to exit of `last`, flown.
   FlightCost through(std::size_t first, std::size_t last) const {
-    return before[last] + cover[last] - before[first];
+    return barred[first] == barred[last] ? before[last] + cover[last] - before[first] : kBarred;
   }
 
   void prepare(LinkCache& cache);
@@ -110,7 +111,10 @@ void StopPlanner::Search::prepare(LinkCache& cache) {
   const FlightModel& model = cache.model();
   for (std::size_t i = 0; i < size(); ++i) {
     cover.push_back(model.level(legs[i].flown.entry_m, legs[i].flown.exit_m));
-    before.push_back(i == 0 ? FlightCost{} : before[i - 1] + cover[i - 1] + links[i - 1]->hop);
+    const bool is_barred = i > 0 && links[i - 1]->hop.energy >= kBarred.energy;
+    barred.push_back(i == 0 ? 0 : barred[i - 1] + (is_barred ? 1 : 0));
+    before.push_back(i == 0 ? FlightCost{} : before[i - 1] + cover[i - 1]);
+    if (i > 0 && !is_barred) before[i] += links[i - 1]->hop;
     if (i + 1 < size())
       links.push_back(&cache.get(legs[i].id, legs[i].flown, legs[i + 1].id, legs[i + 1].flown));
   }

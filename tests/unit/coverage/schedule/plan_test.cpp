@@ -202,6 +202,28 @@ TEST(WaysOf, GoRoundAHoleThatANoFlyAreaJoinsToTheOutside) {
   EXPECT_TRUE(ways.is_free({65, -5}, {65, 60}));
 }
 
+/// With the document's energy model a unit is a second aloft, to the last digit.
+TEST(Plan, WhatIsCarriedAcrossANoFlyAreaAddsUpLikeAnyOther) {
+  Task task;
+  task.fields = {{1, "moated", {{{0, 0}, {100, 0}, {100, 40}, {0, 40}}, {}}, 20.0}};
+  task.no_fly = {{{{20, 5}, {60, 5}, {60, 35}, {20, 35}}, {{{30, 10}, {30, 30}, {50, 30}, {50, 10}}}}};
+  const auto plan = plan_coverage(task, planner::Terrain::flat(0.0), {});
+  ASSERT_TRUE(plan.ok()) << plan.error().message;
+  EXPECT_GE(plan->rendezvous.size(), 1U);
+  EXPECT_NEAR(plan->energy_used, plan->flight_s, 1e-9);
+}
+
+/// A field that is refused is not flown, and its holes are not flown over.
+TEST(Plan, HolesOfARefusedFieldAreGoneRound) {
+  Task task;
+  task.fields = {
+      {1, "low", {{{0, 0}, {100, 0}, {100, 50}, {0, 50}}, {{{40, 10}, {40, 40}, {60, 40}, {60, 10}}}}, 1.0},
+      {2, "beside", {{{0, 60}, {100, 60}, {100, 90}, {0, 90}}, {}}, 20.0}};
+  const FieldsCut cut = cut_fields(task, planner::Terrain::flat(0.0), {});
+  ASSERT_EQ(cut.reports.front().status, FieldStatus::kRefused);
+  EXPECT_FALSE(ways_of(task, cut.polygons).is_free({50, -10}, {50, 70}));
+}
+
 /// Such a hole is a notch of the clean field's outline.
 TEST(Plan, AHoleThatSticksOutOfItsFieldIsGoneRoundAllTheSame) {
   Task task;
