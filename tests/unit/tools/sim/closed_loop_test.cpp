@@ -2,6 +2,7 @@
 // by one manual clock. No wall time enters, so a failure can be replayed.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -11,6 +12,7 @@
 
 #include "charger/participant/charger_participant.hpp"
 #include "coverage/participant/coverage_participant.hpp"
+#include "planner/base/rng.hpp"
 #include "planner/participant/planner_participant.hpp"
 #include "planner/scenario/read.hpp"
 #include "qos/memory/bus.hpp"
@@ -87,10 +89,14 @@ std::vector<charger::Loss> losses_of(const planner::Scenario& scenario) {
   return losses;
 }
 
-Flight fly(const std::string& file, std::uint64_t seed, double rate) {
+planner::Scenario read(const std::string& file) {
   const auto scenario =
       planner::read_scenario(std::string(SWALLOWTAIL_SOURCE_DIR) + "/tests/data/missions/" + file);
   EXPECT_TRUE(scenario.ok()) << scenario.errors().text();
+  return *scenario;
+}
+
+Flight fly(const planner::Scenario& scenario, std::uint64_t seed, double rate) {
   ManualClock clock;
   MemoryNetwork network;
   const auto sim_bus = network.make_bus();
@@ -99,12 +105,12 @@ Flight fly(const std::string& file, std::uint64_t seed, double rate) {
   const auto planner_bus = network.make_bus();
   const auto charger = charger::ChargerParticipant::make(
                            *charger_bus, clock,
-                           {.charger_id = 1, .delays = delays_of(*scenario), .losses = losses_of(*scenario)})
+                           {.charger_id = 1, .delays = delays_of(scenario), .losses = losses_of(scenario)})
                            .value();
   const auto coverage = coverage::CoverageParticipant::make(*coverage_bus, clock, {}).value();
   const auto planner = planner::PlannerParticipant::make(*planner_bus, clock, {}).value();
   const auto sim =
-      SimParticipant::make(*sim_bus, clock, *scenario,
+      SimParticipant::make(*sim_bus, clock, scenario,
                            {.rate = rate, .await = {1, 2, 3}, .max_time_s = kLongest_s, .seed = seed})
           .value();
   const auto watch_bus = network.make_bus();
@@ -119,8 +125,8 @@ Flight fly(const std::string& file, std::uint64_t seed, double rate) {
     EXPECT_TRUE(planner->step());
     EXPECT_TRUE(planner->beat());
   }
-  Flight flight{nlohmann::json::parse(sim->summary()), scenario->coverage->battery.reserve, {}};
-  watch->tell(*scenario, flight);
+  Flight flight{nlohmann::json::parse(sim->summary()), scenario.coverage->battery.reserve, {}};
+  watch->tell(scenario, flight);
   return flight;
 }
 
@@ -131,7 +137,7 @@ class ClosedLoop : public ::testing::TestWithParam<std::tuple<const char*, doubl
 TEST_P(ClosedLoop, IsFlownWholeAndSafely) {
   const auto [file, rate] = GetParam();
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
-    const Flight flight = fly(file, seed, rate);
+    const Flight flight = fly(read(file), seed, rate);
     const auto& end = flight.end;
     SCOPED_TRACE("seed " + std::to_string(seed) + ": " + end.dump());
     EXPECT_EQ(end["status"], "completed");
@@ -147,6 +153,53 @@ TEST_P(ClosedLoop, IsFlownWholeAndSafely) {
     if (std::string(file) == "robot_battery.yaml") {
       EXPECT_GE(flight.depot_stops, 1);
       EXPECT_GT(flight.refills, flight.depot_stops) << "it loses energy on the way";
+    }
+  }
+}
+
+/// The demonstration with its last two obstacles elsewhere: one that comes in and turns, one that stands.
+struct Placement {
+  Vec3 comes_from_m;
+  double turns_s = 0.0;
+  Vec3 onward_mps;
+  Vec3 stands_at_m;
+};
+
+planner::Scenario with(planner::Scenario scenario, const Placement& placement) {
+  constexpr std::uint32_t kComes = 13;
+  constexpr std::uint32_t kStands = 14;
+  for (planner::Event& event : scenario.events) {
+    if (auto* appears = std::get_if<planner::ObstacleAppears>(&event.what)) {
+      if (appears->obstacle.id == kComes) appears->obstacle.position_m = placement.comes_from_m;
+      if (appears->obstacle.id == kStands) appears->obstacle.position_m = placement.stands_at_m;
+    }
+    auto* moves = std::get_if<planner::ObstacleMoves>(&event.what);
+    if (moves == nullptr || moves->id != kComes) continue;
+    event.at_s = placement.turns_s;
+    moves->velocity_mps = placement.onward_mps;
+  }
+  std::ranges::stable_sort(scenario.events, {}, &planner::Event::at_s);
+  return scenario;
+}
+
+/// One that was waited for until 21 of the 25 units to be kept were left, and others near it.
+TEST(ClosedLoopWithObstacles, WhatIsWaitedForAndGoneRoundBreaksNoReserve) {
+  const planner::Scenario scenario = read("two_heights.yaml");
+  Rng rng(7);
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    Placement placement{{400.0, 123.0, 20.0}, 680.0, {-0.8, 0.3, 0.0}, {345.0, 125.0, 20.0}};
+    for (const double rate : {20.0, 5.0}) {
+      const Flight flight = fly(with(scenario, placement), seed, rate);
+      SCOPED_TRACE("seed " + std::to_string(seed) + ", rate " + std::to_string(rate) + ": " +
+                   flight.end.dump());
+      EXPECT_EQ(flight.end["status"], "completed");
+      EXPECT_EQ(flight.end["collisions"], 0);
+      EXPECT_GE(flight.end["covered_percent"].get<double>(), 99.5);
+      EXPECT_GE(flight.end["energy_min"].get<double>(), flight.reserve);
+      placement = {{400.0, rng.uniform(50.0, 140.0), 20.0},
+                   rng.uniform(660.0, 760.0),
+                   {rng.uniform(-1.2, 0.2), rng.uniform(-0.6, 0.6), 0.0},
+                   {rng.uniform(260.0, 380.0), rng.uniform(50.0, 140.0), 20.0}};
     }
   }
 }
