@@ -36,6 +36,10 @@ std::optional<Vec3> landing_near(const Vec3& place, double time_s, const Clearan
   return std::nullopt;
 }
 
+bool has_cover(const std::vector<RoutePoint>& route) {
+  return std::ranges::any_of(route, [](const RoutePoint& p) { return p.phase == Phase::kCover; });
+}
+
 double hold_begins_s(const TimedPath& path) {
   std::size_t i = path.size() - 1;
   while (i > 0 && path[i].phase == Phase::kHold) --i;
@@ -67,29 +71,47 @@ double PlannerParticipant::spare_s(std::uint32_t leg) const {
   return (coverage_->legs[leg].energy_after - task_->battery.reserve) * time_s / energy;
 }
 
-/// Where there is no way to the landing that a plan asks for and the energy does not last for a hold, the
-/// aircraft comes down near where it would hold, and the robot comes there.
+/// Where there is no way to the landing that a plan asks for, or one that waits on the way down, and the
+/// energy does not last for it, the aircraft comes down near where it would hold, and the robot comes there.
 ReplanReport PlannerParticipant::plan_or_land(ReplanRequest request) {
-  const auto stop = [this] {
-    return StopCondition{.clock = &clock_, .deadline_s = clock_.now_s() + 1e-3 * options_.budget_ms};
-  };
-  ReplanReport report = replanner_->plan(keeper_.world(), request, stop());
-  const bool is_held_up = report.verdict == Verdict::kContingency && !report.lands &&
-                          request.route.back().phase == Phase::kLanding;
-  if (!is_held_up || !coverage_ || !task_) return report;
+  ReplanReport report = replanner_->plan(keeper_.world(), request, search_limit());
+  if (!coverage_ || !task_ || request.route.back().phase != Phase::kLanding) return report;
+  const double spare = spare_s(request.route.back().leg_index);
+  if (report.verdict == Verdict::kContingency && !report.lands &&
+      report.path.back().time_s - hold_begins_s(report.path) > spare)
+    return land_near(std::move(request), report, flown_to_hold(report.path));
+  if (report.verdict == Verdict::kCertified && !has_cover(request.route)) {
+    const double soonest_s =
+        time_route(request.start_m, request.start_time_s, request.route, limits_).back().time_s;
+    const double down_s = request.start_m.z() / limits_.descent_speed_mps;
+    if (report.path.back().time_s - soonest_s > spare - down_s)
+      return land_near(std::move(request), report, {});
+  }
+  return report;
+}
+
+/// Down beside the end of a route instead of what was found, where that is sooner.
+ReplanReport PlannerParticipant::land_near(ReplanRequest request, const ReplanReport& found,
+                                           std::vector<RoutePoint> route) {
   const std::uint32_t leg = request.route.back().leg_index;
-  const TimedWaypoint& hold = report.path.back();
-  if (hold.time_s - hold_begins_s(report.path) <= spare_s(leg)) return report;
-  const auto above = landing_near(hold.position_m, hold.time_s, ClearanceQuery(keeper_.world()), limits_);
-  if (!above) return report;
-  request.route = flown_to_hold(report.path);
+  const bool flies_there = !route.empty();
+  const Vec3 from = flies_there ? found.path.back().position_m : request.start_m;
+  const double time_s = flies_there ? found.path.back().time_s : request.start_time_s;
+  const auto above = landing_near(from, time_s, ClearanceQuery(keeper_.world()), limits_);
+  if (!above) return found;
+  request.route = std::move(route);
   request.route.push_back({*above, Phase::kTransfer, leg, 0.0});
   request.route.push_back({ground_below(*above, keeper_.world_now()->terrain()), Phase::kLanding, leg, 0.0});
-  ReplanReport down = replanner_->plan(keeper_.world(), request, stop());
-  if (down.verdict != Verdict::kCertified) return report;
+  ReplanReport down = replanner_->plan(keeper_.world(), request, search_limit());
+  const bool is_later = found.lands && down.path.back().time_s >= found.path.back().time_s;
+  if (down.verdict != Verdict::kCertified || is_later) return found;
   down.verdict = Verdict::kContingency;
-  down.reason = report.reason + ", lands nearby";
+  down.reason = found.reason + ", lands nearby";
   return down;
+}
+
+StopCondition PlannerParticipant::search_limit() const {
+  return {.clock = &clock_, .deadline_s = clock_.now_s() + 1e-3 * options_.budget_ms};
 }
 
 }  // namespace swallowtail::planner

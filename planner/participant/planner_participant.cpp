@@ -308,9 +308,9 @@ Status PlannerParticipant::replan(double now_s) {
     fail(report);
     return {};
   }
-  // A contingency that is being flown and still holds is not traded for another one.
+  // A contingency that is being flown and still holds is not traded for another one, but for a landing.
   if (report.verdict == Verdict::kContingency && verdict_ == Verdict::kContingency && !log_.empty() &&
-      now_s < log_.end_s() - 2.0 * lead &&
+      (log_.lands() || !report.lands) && now_s < log_.end_s() - 2.0 * lead &&
       certify(log_.rest(now_s), ClearanceQuery(keeper_.world()), limits_).certified) {
     changed_wall_s_ = 0.0;
     return {};

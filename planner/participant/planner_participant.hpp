@@ -112,6 +112,8 @@ class PlannerParticipant {
   Status plan_from_ground(double now_s);
   Status replan(double now_s);
   ReplanReport plan_or_land(ReplanRequest request);
+  ReplanReport land_near(ReplanRequest request, const ReplanReport& found, std::vector<RoutePoint> route);
+  StopCondition search_limit() const;
   double spare_s(std::uint32_t leg) const;
   Status publish(const ReplanReport& report, double now_s, double replan_ms);
   void fail(const ReplanReport& report);
