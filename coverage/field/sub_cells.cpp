@@ -17,6 +17,7 @@ namespace {
 using planner::Terrain;
 
 constexpr double kLeastSample_m = 0.25;
+constexpr double kApart_m = 0.02;  ///< of samples, besides where the ground turns
 constexpr int kMaxSamples = 20'000;
 /// A sub-cell is not cut shorter than this share of the sensor's width.
 constexpr double kLeastLength = 0.25;
@@ -54,8 +55,12 @@ std::vector<GroundAt> ground_profile(const Piece& piece, const Terrain& terrain)
     add_crossings(piece.from_m.y(), piece.to_m.y(), grid.origin_m.y(), grid.cell_size_m, shares);
   }
   std::ranges::sort(shares);
-  const auto repeated = std::ranges::unique(shares);
+  // Places that are as good as one would make sub-cells of no length.
+  const double apart = kApart_m / std::max(length, kApart_m);
+  const auto repeated = std::ranges::unique(shares, [&](double a, double b) { return b - a < apart; });
   shares.erase(repeated.begin(), repeated.end());
+  while (shares.size() > 1 && shares.back() > 1.0 - apart) shares.pop_back();
+  shares.push_back(1.0);
   std::vector<GroundAt> out{{shares.front(), height(shares.front())}};
   for (std::size_t i = 1; i < shares.size(); ++i) {
     const GroundAt before = out.back();
