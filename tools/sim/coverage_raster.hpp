@@ -14,7 +14,7 @@ namespace swallowtail::sim {
 struct SwathParams {
   double sensor_width_m = 10.0;
   double height_tolerance_m = 2.0;
-  double finest_cell_m = 1.0;         ///< cells are at most this size unless there would be too many of them
+  double finest_cell_m = 0.5;         ///< cells are at most this size unless there would be too many of them
   std::size_t max_cells = 2'000'000;  ///< over all fields
   std::vector<coverage::Polygon> no_fly{};  ///< not asked for
   double skipped_border_m = 0.0;            ///< nor what is nearer to a field's border
