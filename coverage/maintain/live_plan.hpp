@@ -8,7 +8,8 @@
 
 namespace swallowtail::coverage {
 
-/// The plan in force. Legs before legs_done are flown and never change; indexes are stable.
+/// The plan in force. Legs before legs_done are flown and never change, but that of one that was left out in
+/// part what was flown is left when it is done; indexes are stable.
 struct LivePlan {
   std::uint32_t revision = 1;
   std::string reason = "first plan";
