@@ -98,6 +98,7 @@ bool PlanKeeper::replace_aircraft(const AircraftView& vehicle) {
   path_.clear();
   task_.battery.capacity = capacity_as_asked_;
   lands_at_once_ = false;
+  detour_energy_ = 0.0;
   told_no_plan_ = false;
   told_overdue_ = false;
   told_short_ = false;

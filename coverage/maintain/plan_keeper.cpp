@@ -230,6 +230,7 @@ bool PlanKeeper::on_vehicle(const AircraftView& vehicle) {
   }
   if (before && !before->on_ground() && vehicle.on_ground()) {
     landed_since_s_ = vehicle.time_s;
+    if (!lands_at_once_ && at_meeting(vehicle.position_m)) detour_energy_ = 0.0;
   }
   follow_progress(vehicle);
   if (!vehicle.on_ground()) return tell_given_up(review_gaps());

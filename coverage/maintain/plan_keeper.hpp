@@ -232,7 +232,10 @@ class PlanKeeper {
   double retry_s_ = -1e9;           ///< a solution that failed is not tried again before
   bool has_flown_ = false;
   Consumption consumption_;
-  bool all_aloft_ = false;              ///< since the last battery sample
+  bool all_aloft_ = false;  ///< since the last battery sample
+  /// What obstacles took of the sorties since the last landing where it was planned, which fell short by it:
+  /// kept at hand by what is planned on the ground, or the next would fall short as well.
+  double detour_energy_ = 0.0;
   bool lands_at_once_ = false;          ///< until it has landed nothing else is decided
   std::optional<double> solved_slack_;  ///< energy to spare at the next landing when last solved for it
 };

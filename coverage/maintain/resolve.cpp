@@ -30,6 +30,7 @@ RestParams PlanKeeper::rest_params() const {
   if (has_flown_) out.stops.energy_factor = std::min(out.stops.energy_factor, 1.0 + kKnownAllowance);
   out.stops.air_factor = 1.0 + kAloftAllowance;
   out.stops.spare += landing_spare();
+  if (vehicle_ && vehicle_->on_ground()) out.stops.spare += detour_energy_;
   out.schedules = params_.resolve_schedules;
   if (params_.planning.clock != nullptr) {
     out.stop.clock = params_.planning.clock;
@@ -264,6 +265,7 @@ bool PlanKeeper::solve_on_ground(const std::string& reason) {
       start = carried;
     }
   }
+  if (!found && std::exchange(detour_energy_, 0.0) > 0.0) return solve_on_ground(reason);
   if (!found) return false;
   no_plan_.clear();
   Rendezvous meeting = meeting_at(start, vehicle_->time_s, *found->first);

@@ -14,6 +14,7 @@ constexpr double kWorseShare =
 constexpr std::size_t kLastLegs = 2;
 constexpr double kMostConsumption = 2.0;  ///< against what is expected
 constexpr double kLossShare = 0.01;       ///< of the capacity: between two samples a larger surplus is a loss
+constexpr double kMostDetourShare = 0.3;  ///< of the capacity: kept for detours
 constexpr double kDeviations = 2.0;       ///< of a descent's energy, that are left for it
 constexpr double kSampleEvery_s = 1.0;    ///< how long until the next battery state, as a rule
 
@@ -109,6 +110,7 @@ bool PlanKeeper::review_flight() {
   const bool holds = slack >= cost->energy * params_.trigger_margin + landing_spare();
   const bool last_chance = is_last_chance(*cost);
   if (!last_chance && (holds || lands_at_once_)) return false;
+  detour_energy_ = std::max(detour_energy_, std::min(surcharge(), kMostDetourShare * task_.battery.capacity));
   const bool is_news = !solved_slack_ || slack < *solved_slack_ - kWorseShare * task_.battery.capacity;
   if (!is_news && !last_chance) return false;
   const std::string reason =

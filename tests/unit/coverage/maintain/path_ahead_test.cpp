@@ -146,6 +146,28 @@ TEST_F(PathOfPlan, AWaitThatTheEnergyDoesNotDoForLandsTheAircraftBefore) {
   EXPECT_LT((keeper_->plan().rendezvous.front().site_m - at.position_m).head<2>().norm(), 40.0);
 }
 
+TEST_F(PathOfPlan, WhatADetourTookIsKeptAtHandByTheNextFlight) {
+  const AircraftView at = on_first_leg(0.5);
+  keeper_->on_vehicle(on_first_leg(0.4));
+  keeper_->on_vehicle(at);
+  keeper_->on_path(path_from(at, 50.0));
+  ASSERT_TRUE(keeper_->on_battery({at.time_s, 60.0, 200.0}));
+  AircraftView landed = at;
+  landed.time_s += 20.0;
+  landed.position_m = Vec3(-40.0, -40.0, 0.0);
+  landed.velocity_mps = Vec3::Zero();
+  landed.mode = AircraftMode::kLanded;
+  keeper_->on_vehicle(landed);
+  landed.time_s += 5.0;
+  ASSERT_TRUE(keeper_->on_vehicle(landed)) << keeper_->plan().reason;
+  const LivePlan& plan = keeper_->plan();
+  ASSERT_FALSE(plan.rendezvous.empty());
+  double least = plan.legs.back().energy_after;
+  for (std::size_t i = 1; i < plan.rendezvous.size(); ++i)
+    least = std::min(least, plan.rendezvous[i].energy_from);
+  EXPECT_GT(least, keeper_->task().battery.reserve + 45.0);
+}
+
 TEST_F(PathOfPlan, AWaitElsewhereIsNoneOfItsOwn) {
   const AircraftView at = on_first_leg(0.5);
   keeper_->on_vehicle(on_first_leg(0.4));
