@@ -9,12 +9,15 @@ namespace swallowtail::coverage {
 
 namespace {
 
+/// Swaths lie end to end and side by side at the slant of their lines: sides that should coincide all but do.
+constexpr auto kVertices = detail::Shape::Vertices::kOnGrid;
+
 detail::Shape swaths_of(std::span<const SubCell> sub_cells) {
   std::vector<Ring> swaths;
   for (const SubCell& sub_cell : sub_cells) {
     if (sub_cell.length_m() > 1e-6) swaths.push_back(swath_of(sub_cell));
   }
-  return detail::Shape::of(swaths);
+  return detail::Shape::of(swaths, kVertices);
 }
 
 }  // namespace
@@ -30,14 +33,14 @@ Ring swath_of(const SubCell& sub_cell) {
 
 Result<SwathArea> swath_area(std::span<const Polygon> polygons, std::span<const SubCell> sub_cells) {
   const detail::Shape all = swaths_of(sub_cells);
-  const detail::Shape inside = all.within(detail::Shape::of(polygons));
+  const detail::Shape inside = all.within(detail::Shape::of(polygons), kVertices);
   if (!inside.ok()) return internal_error("GEOS failed to unite the swaths of a field.");
   const double covered = inside.area_m2();
   return SwathArea{covered, std::max(0.0, all.area_m2() - covered)};
 }
 
 std::optional<Gap> largest_gap(std::span<const Polygon> polygons, std::span<const SubCell> sub_cells) {
-  const detail::Shape open = detail::Shape::of(polygons).minus(swaths_of(sub_cells));
+  const detail::Shape open = detail::Shape::of(polygons).minus(swaths_of(sub_cells), kVertices);
   if (!open.ok()) return std::nullopt;
   std::optional<Gap> out;
   for (const Polygon& part : open.parts()) {

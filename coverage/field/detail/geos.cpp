@@ -91,11 +91,13 @@ struct Shape::Geometry {
   static Shape wrap(GEOSGeometry* g) {
     return g == nullptr ? Shape(std::shared_ptr<const Geometry>()) : Shape(std::make_shared<Geometry>(g));
   }
-  static Shape unite(std::vector<GEOSGeometry*> parts) {
+  static Shape unite(std::vector<GEOSGeometry*> parts, Vertices vertices) {
     std::erase(parts, nullptr);
     const Owned all(GEOSGeom_createCollection_r(context(), GEOS_GEOMETRYCOLLECTION, parts.data(),
                                                 static_cast<unsigned>(parts.size())));
-    return wrap(all ? GEOSUnaryUnion_r(context(), all.get()) : nullptr);
+    if (!all) return wrap(nullptr);
+    return wrap(vertices == Vertices::kOnGrid ? GEOSUnaryUnionPrec_r(context(), all.get(), kGrid_m)
+                                              : GEOSUnaryUnion_r(context(), all.get()));
   }
 };
 
@@ -124,13 +126,13 @@ Shape Shape::of(std::span<const Polygon> polygons) {
   if (polygons.size() == 1) return of(polygons.front());
   std::vector<GEOSGeometry*> parts;
   for (const Polygon& polygon : polygons) parts.push_back(make_polygon(polygon));
-  return Geometry::unite(std::move(parts));
+  return Geometry::unite(std::move(parts), Vertices::kAnywhere);
 }
 
-Shape Shape::of(std::span<const Ring> rings) {
+Shape Shape::of(std::span<const Ring> rings, Vertices vertices) {
   std::vector<GEOSGeometry*> parts;
   for (const Ring& ring : rings) parts.push_back(make_polygon({ring, {}}));
-  return Geometry::unite(std::move(parts));
+  return Geometry::unite(std::move(parts), vertices);
 }
 
 Shape Shape::repaired(const Polygon& polygon) {
@@ -158,14 +160,20 @@ std::vector<Polygon> Shape::parts() const {
   return out;
 }
 
-Shape Shape::minus(const Shape& other) const {
-  return Geometry::wrap(
-      ok() && other.ok() ? GEOSDifference_r(context(), geometry_->get(), other.geometry_->get()) : nullptr);
+Shape Shape::minus(const Shape& other, Vertices vertices) const {
+  if (!ok() || !other.ok()) return Geometry::wrap(nullptr);
+  const GEOSGeometry* a = geometry_->get();
+  const GEOSGeometry* b = other.geometry_->get();
+  return Geometry::wrap(vertices == Vertices::kOnGrid ? GEOSDifferencePrec_r(context(), a, b, kGrid_m)
+                                                      : GEOSDifference_r(context(), a, b));
 }
 
-Shape Shape::within(const Shape& other) const {
-  return Geometry::wrap(
-      ok() && other.ok() ? GEOSIntersection_r(context(), geometry_->get(), other.geometry_->get()) : nullptr);
+Shape Shape::within(const Shape& other, Vertices vertices) const {
+  if (!ok() || !other.ok()) return Geometry::wrap(nullptr);
+  const GEOSGeometry* a = geometry_->get();
+  const GEOSGeometry* b = other.geometry_->get();
+  return Geometry::wrap(vertices == Vertices::kOnGrid ? GEOSIntersectionPrec_r(context(), a, b, kGrid_m)
+                                                      : GEOSIntersection_r(context(), a, b));
 }
 
 Shape Shape::within(const Box& box) const {
