@@ -35,6 +35,7 @@ struct RandomMission {
   std::function<bool(const Vec2&)> is_closed;  ///< to the robot; none: nowhere
   std::optional<double> robot_dies_s;          ///< it neither drives nor, perhaps, speaks from then on
   int obstacles = 0;                           ///< that stop or turn on or beside the strips
+  bool obstacle_stays = false;                 ///< one of them, for good
   double obstacle_acceleration_mps2 = 0.0;     ///< see planner::PlannerOptions
   std::string faults;                          ///< in words
 };

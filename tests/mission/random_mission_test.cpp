@@ -53,7 +53,7 @@ void check_reason(const RandomMission& mission, const MissionEnd& end) {
     EXPECT_TRUE(mission.scenario.coverage->charger.battery) << status;
     return;
   }
-  if (says(end, "for a safe path") && mission.obstacles > 0) return;
+  if (says(end, "for a safe path") && mission.obstacle_stays) return;
   if (says(end, "robot")) {
     EXPECT_TRUE(mission.robot_dies_s && *mission.robot_dies_s < ended_s) << "the robot is well: " << status;
     return;

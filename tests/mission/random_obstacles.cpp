@@ -80,6 +80,7 @@ void draw_obstacles(Rng& rng, RandomMission& mission) {
     scenario.events.push_back({time_s + rng.uniform(10.0, 300.0), planner::ObstacleVanishes{body.id}});
   }
   mission.obstacles = static_cast<int>(count);
+  mission.obstacle_stays = stays;
   mission.obstacle_acceleration_mps2 = acceleration_for(greatest_change_mps, mission.rate);
   std::ranges::stable_sort(scenario.events, {}, &planner::Event::at_s);
   mission.faults += std::to_string(count) + " obstacles" + (stays ? ", one for good; " : "; ");
