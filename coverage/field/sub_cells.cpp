@@ -210,7 +210,8 @@ Result<std::vector<Polygon>> cleaned_areas(const std::vector<Polygon>& no_fly) {
 Result<std::vector<Polygon>> without(const std::vector<Polygon>& polygons,
                                      const std::vector<Polygon>& solid) {
   if (solid.empty()) return polygons;
-  const detail::Shape left = detail::Shape::of(polygons).minus(detail::Shape::of(solid));
+  constexpr auto kOnGrid = detail::Shape::Vertices::kOnGrid;  // areas are drawn along borders
+  const detail::Shape left = detail::Shape::of(polygons).minus(detail::Shape::of(solid, kOnGrid), kOnGrid);
   if (!left.ok()) return internal_error("GEOS could not take the no-fly areas off.");
   std::vector<Polygon> out;
   for (const Polygon& part : left.parts()) {

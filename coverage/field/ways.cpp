@@ -40,7 +40,7 @@ std::vector<Ring> rings_round(std::span<const Polygon> solid) {
     if ((signed_area_m2(ring) > 0.0) != counter_clockwise) std::reverse(ring.begin(), ring.end());
     out.push_back(std::move(ring));
   };
-  for (const Polygon& part : detail::Shape::of(solid).parts()) {
+  for (const Polygon& part : detail::Shape::of(solid, detail::Shape::Vertices::kOnGrid).parts()) {
     add(part.outline, false);
     for (const Ring& hole : part.holes) add(hole, true);
   }

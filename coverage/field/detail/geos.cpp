@@ -122,11 +122,11 @@ Shape::Shape() : Shape(Geometry::wrap(GEOSGeom_createEmptyPolygon_r(context())))
 
 Shape Shape::of(const Polygon& polygon) { return Geometry::wrap(make_polygon(polygon)); }
 
-Shape Shape::of(std::span<const Polygon> polygons) {
+Shape Shape::of(std::span<const Polygon> polygons, Vertices vertices) {
   if (polygons.size() == 1) return of(polygons.front());
   std::vector<GEOSGeometry*> parts;
   for (const Polygon& polygon : polygons) parts.push_back(make_polygon(polygon));
-  return Geometry::unite(std::move(parts), Vertices::kAnywhere);
+  return Geometry::unite(std::move(parts), vertices);
 }
 
 Shape Shape::of(std::span<const Ring> rings, Vertices vertices) {

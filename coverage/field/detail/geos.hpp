@@ -27,13 +27,14 @@ class Shape {
  public:
   Shape();  ///< empty
   static Shape of(const Polygon& polygon);
-  static Shape of(std::span<const Polygon> polygons);  ///< their union
   /// Where an operation puts the corners it makes. Off the grid GEOS now and then loses whole parts, and does
   /// not say so, where slanted edges all but coincide (github.com/locationtech/jts/issues/1000): operations
   /// that are fed such edges belong on it [HOBBY]. On it no part is lost, but corners move by up to kGrid_m,
   /// so that edges that met without a gap may leave slivers that wide.
   enum class Vertices { kAnywhere, kOnGrid };
   static constexpr double kGrid_m = 1e-6;
+  /// Their union; a single polygon as it is.
+  static Shape of(std::span<const Polygon> polygons, Vertices vertices = Vertices::kAnywhere);
   /// The union of rings without holes.
   static Shape of(std::span<const Ring> rings, Vertices vertices = Vertices::kAnywhere);
   /// A valid area made of a polygon that crosses or touches itself; holes that overlap become one.

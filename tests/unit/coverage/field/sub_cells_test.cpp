@@ -86,6 +86,22 @@ TEST(SubCells, NoFlyAreasAreNeitherCoveredNorCrossed) {
   EXPECT_THAT(cut_field(square_field(), planner::Terrain::flat(0.0), params).reason, HasSubstr("no-fly"));
 }
 
+// GEOS' difference off a grid left the whole field.
+TEST(SubCells, ANoFlyAreaDrawnAlongASlantedBorderIsTakenOff) {
+  const Vec2 a(-18.0, -32.0);
+  const Vec2 b(-35.0, 12.0);
+  const Vec2 side = Vec2(-(b - a).y(), (b - a).x()).normalized() * 6.0;
+  const Vec2 from = a + (b - a) * 0.5;
+  const Vec2 to = a + (b - a) * 0.9;
+  CutParams params;
+  params.sensor_width_m = 3.0;
+  params.no_fly = {{{from, to, to + side, from + side}, {}}};
+  const FieldCut cut =
+      cut_field({1, "slanted", {{a, b, b + side, a + side}, {}}, 20.0}, planner::Terrain::flat(0.0), params);
+  ASSERT_EQ(cut.status, FieldStatus::kPlanned) << cut.reason;
+  EXPECT_NEAR(cut.area_m2, 0.6 * (b - a).norm() * 6.0, 1e-3);
+}
+
 /// What a no-fly area leaves of the field along its border is slanted there like any border.
 TEST(SubCells, NoLineGoesBeyondABorderIntoANoFlyAreaOrAHoleThatOneOpens) {
   CutParams params;
