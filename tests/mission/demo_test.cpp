@@ -188,9 +188,11 @@ bool is_in_the_way(const check::Rules& rules, check::Solid solid, const recordin
   for (const auto& path : recording.path_plans) {
     if (leads_into(path.value, solid, needed)) return true;
   }
-  const auto& legs = recording.coverage_plans.back().value.legs;  // with those flown as they were flown
-  return std::any_of(legs.begin(), legs.end(),
-                     [&](const auto& leg) { return leads_into(leg, solid, needed); });
+  // Of a leg that is done the plans after keep what was flown.
+  return std::ranges::any_of(recording.coverage_plans, [&](const auto& plan) {
+    return std::ranges::any_of(plan.value.legs,
+                               [&](const auto& leg) { return leads_into(leg, solid, needed); });
+  });
 }
 
 TEST_F(Demo, AvoidsObstaclesThatCameIntoItsWay) {
