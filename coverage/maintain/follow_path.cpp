@@ -63,6 +63,9 @@ PlanKeeper::Commitment PlanKeeper::committed_on_path() const {
   Commitment out;
   out.legs = std::min(path_.legs_begun(now, vehicle_->time_s + params_.reaction_s), most - now);
   if (covers(now)) out.legs = std::max<std::size_t>(out.legs, 1);
+  // Where legs were passed over, it goes on with the one under way wherever the path now holds.
+  if (!later_.empty() && later_.rbegin()->first < most)
+    out.legs = std::max(out.legs, later_.rbegin()->first - now + 1);
   if (out.legs > 0) out.into_last_m = into_leg_m(now + out.legs - 1, params_.reaction_s);
   return out;
 }
