@@ -15,6 +15,7 @@ namespace {
 
 constexpr std::array kRings{0.0, 2.0, 4.0, 8.0};  ///< radii around a place, in clearances
 constexpr int kDirections = 8;
+constexpr double kSoon_s = 25.0;  ///< a landing so near is what the rest of a strip is given up for
 
 Vec3 ground_below(const Vec3& p, const Terrain& terrain) {
   return {p.x(), p.y(), terrain.height_at(p.x(), p.y())};
@@ -80,9 +81,10 @@ ReplanReport PlannerParticipant::plan_or_land(ReplanRequest request) {
   if (report.verdict == Verdict::kContingency && !report.lands &&
       report.path.back().time_s - hold_begins_s(report.path) > spare)
     return land_near(std::move(request), report, flown_to_hold(report.path));
-  if (report.verdict == Verdict::kCertified && !has_cover(request.route)) {
+  if (report.verdict == Verdict::kCertified) {
     const double soonest_s =
         time_route(request.start_m, request.start_time_s, request.route, limits_).back().time_s;
+    if (has_cover(request.route) && soonest_s > request.start_time_s + kSoon_s) return report;
     const double down_s = request.start_m.z() / limits_.descent_speed_mps;
     if (report.path.back().time_s - soonest_s > spare - down_s)
       return land_near(std::move(request), report, {});
