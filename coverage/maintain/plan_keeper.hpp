@@ -213,9 +213,10 @@ class PlanKeeper {
   std::vector<Leg> retired_;         ///< flown by aircraft before this one, no longer in the plan
   std::optional<StripTrack> track_;
   std::size_t tracked_leg_ = 0;
-  std::map<std::size_t, StripTrack> later_;  ///< by leg: begun while those before are not done
-  std::vector<Leg> gaps_;                    ///< left out, not in the plan yet
-  std::map<std::uint32_t, int> tries_;       ///< by sub-cell: how often it has been a gap
+  /// By leg: those up to the one under way, while one before them is not done.
+  std::map<std::size_t, StripTrack> later_;
+  std::vector<Leg> gaps_;               ///< left out, not in the plan yet
+  std::map<std::uint32_t, int> tries_;  ///< by sub-cell: how often it has been a gap
   std::uint32_t next_id_ = 0;
   double unflown_m_ = 0.0;
   std::string given_up_;   ///< stretches, in words

@@ -218,8 +218,9 @@ std::optional<RestPlan> PlanKeeper::plan_from_robot(std::vector<Leg> legs, Sched
     above.z() = std::max(legs.front().entry_m.z(), site.z() + task_.vehicle.clearance_m() + kAboveGround_m);
     legs.insert(legs.begin(), point_leg(above));
   }
-  no_plan_ = why_no_rest(legs, flight, rest_params().stops);
-  return plan_rest({std::move(legs), 1}, start, plan_.legs_done, flight, rest_params());
+  const RestParams params = rest_params();
+  no_plan_ = why_no_rest(legs, flight, params.stops);
+  return plan_rest({std::move(legs), 1}, start, plan_.legs_done, flight, params);
 }
 
 /// It has not flown, and needs nobody for that.
@@ -244,18 +245,19 @@ bool PlanKeeper::solve_on_ground(const std::string& reason) {
   const double arrives = std::max(vehicle_->time_s, robot_arrives_s(site));
   no_plan_ = "the robot has no way to where the aircraft landed";
   if (!std::isfinite(arrives)) return false;
-  ScheduleStart start;
-  start.kind = StartKind::kDocked;
-  start.position_m = site;
-  start.energy = energy_now();
-  start.time_s = arrives + task_.charger.landing_s;
+  ScheduleStart met;
+  met.kind = StartKind::kDocked;
+  met.position_m = site;
+  met.energy = energy_now();
+  met.time_s = arrives + task_.charger.landing_s;
+  ScheduleStart start = met;
   std::optional<RestPlan> found;
   if (const auto barred = barred_at(task_.fields, task_.no_fly, site.head<2>())) {
     no_plan_ = "the robot has no way to carry the aircraft out of " + *barred;
     found = plan_from_robot(legs, start, true);
   } else {
-    ScheduleStart carried = start;
     found = plan_from_robot(legs, start, false);
+    ScheduleStart carried = met;
     // To be carried from there it need not take off there first.
     const bool lands_again =
         found && !found->rendezvous.empty() && found->rendezvous.front().id == exit_id(plan_.legs_done);
@@ -268,10 +270,7 @@ bool PlanKeeper::solve_on_ground(const std::string& reason) {
   if (!found && std::exchange(detour_energy_, 0.0) > 0.0) return solve_on_ground(reason);
   if (!found) return false;
   no_plan_.clear();
-  Rendezvous meeting = meeting_at(start, vehicle_->time_s, *found->first);
-  meeting.site_m = site;
-  meeting.robot_arrives_s = arrives;
-  meeting.wait_s = arrives - vehicle_->time_s;
+  Rendezvous meeting = meeting_at(met, vehicle_->time_s, *found->first);
   meeting.carry = start.position_m != site;
   meeting.carry_to_m = start.position_m;
   // It meets the robot before the next leg, as if at its entry.

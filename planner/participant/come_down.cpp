@@ -72,8 +72,9 @@ double PlannerParticipant::spare_s(std::uint32_t leg) const {
   return (coverage_->legs[leg].energy_after - task_->battery.reserve) * time_s / energy;
 }
 
-/// Where there is no way to the landing that a plan asks for, or one that waits on the way down, and the
-/// energy does not last for it, the aircraft comes down near where it would hold, and the robot comes there.
+/// Where there is no way to the landing that a plan asks for, or one that waits, and the energy does not last
+/// for it, the aircraft comes down near where it would hold or is, and the robot comes there. The strips
+/// before a landing are given up for that only where it is near.
 ReplanReport PlannerParticipant::plan_or_land(ReplanRequest request) {
   ReplanReport report = replanner_->plan(keeper_.world(), request, search_limit());
   if (!coverage_ || !task_ || request.route.back().phase != Phase::kLanding) return report;
@@ -92,7 +93,8 @@ ReplanReport PlannerParticipant::plan_or_land(ReplanRequest request) {
   return report;
 }
 
-/// Down beside the end of a route instead of what was found, where that is sooner.
+/// Down beside the end of a route, or where the aircraft is without one, instead of what was found, where
+/// that is sooner.
 ReplanReport PlannerParticipant::land_near(ReplanRequest request, const ReplanReport& found,
                                            std::vector<RoutePoint> route) {
   const std::uint32_t leg = request.route.back().leg_index;
