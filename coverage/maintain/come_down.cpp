@@ -1,6 +1,9 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numbers>
 
+#include "coverage/field/places.hpp"
 #include "coverage/maintain/plan_keeper.hpp"
 
 /// How PlanKeeper brings the aircraft down when its energy does for nothing else.
@@ -10,6 +13,9 @@ namespace {
 /// Of the time a change may take to reach the aircraft, what is not waited for on the leg under way: should
 /// it be further by then, it turns back a little, and counts its legs the same.
 constexpr double kHasteShare = 0.5;
+/// Around a place where the robot has no way to, where one is looked for that it has.
+constexpr std::array kRings_m{3.0, 6.0, 12.0, 24.0, 48.0};
+constexpr int kDirections = 16;
 
 }  // namespace
 
@@ -60,9 +66,36 @@ void PlanKeeper::keep_track_of_leg(const Vec3& entry_m, bool covering) {
   if (track_) track_->end_at(plan_.legs[plan_.legs_done].exit_m);
 }
 
+/// Where the robot cannot come, the aircraft flies on to the nearest place where it can, if there is energy
+/// for that. Returns how many legs it flies before it lands then.
+std::size_t PlanKeeper::within_reach(std::vector<Leg>& legs, std::size_t before_landing) {
+  const Leg& last = legs[before_landing - 1];
+  const Vec3 at_m = last.exit_m;
+  if (std::isfinite(robot_arrives_s(at_m))) return before_landing;
+  const FlightModel flight = model();
+  const double spare = energy_now() - surcharge() - task_.battery.reserve - landing_spare() -
+                       flight_over(std::span(legs).first(before_landing), start_in_air()).energy;
+  for (const double ring_m : kRings_m) {
+    for (int k = 0; k < kDirections; ++k) {
+      const double angle = 2.0 * std::numbers::pi * k / kDirections;
+      const Vec3 place_m = lifted(at_m + ring_m * Vec3(std::cos(angle), std::sin(angle), 0.0));
+      if (!ways_->is_free(at_m.head<2>(), place_m.head<2>()) ||
+          barred_at(task_.fields, task_.no_fly, place_m.head<2>()) ||
+          !std::isfinite(robot_arrives_s(place_m)))
+        continue;
+      if (flight.transfer_and_land(at_m, last.exit_m - last.entry_m, place_m).energy > spare)
+        return before_landing;
+      legs.insert(legs.begin() + static_cast<std::ptrdiff_t>(before_landing), point_leg(place_m));
+      return before_landing + 1;
+    }
+  }
+  return before_landing;
+}
+
 /// Nothing keeps the reserve any more: down after so many of the legs, wait for the robot, and go on from
 /// there. What cannot be planned from there is kept for when it has landed.
 void PlanKeeper::land_at_once(std::vector<Leg> legs, std::size_t before_landing, const std::string& reason) {
+  before_landing = within_reach(legs, before_landing);
   const FlightModel flight = model();
   const ScheduleStart air = start_in_air();
   RestPlan rest;

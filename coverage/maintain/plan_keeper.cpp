@@ -9,7 +9,7 @@
 namespace swallowtail::coverage {
 namespace {
 
-constexpr double kAtSite_m = 1.5;
+constexpr double kLeftSite_m = 3.0;
 constexpr double kShiftEvery_s = 30.0;
 constexpr double kFresh_s = 3.0;             ///< how old a battery state may be to decide on it
 constexpr double kLandingSpareShare = 0.01;  ///< of the capacity
@@ -181,8 +181,7 @@ bool PlanKeeper::at_meeting(const Vec3& position_m) const {
 void PlanKeeper::pass_meeting(const Vec3& from_m) {
   for (std::size_t i = 0; i < plan_.rendezvous.size(); ++i) {
     const Rendezvous& meeting = plan_.rendezvous[i];
-    if (flat_distance(meeting.carry ? meeting.carry_to_m : meeting.site_m, from_m) > 2.0 * kAtSite_m)
-      continue;
+    if (flat_distance(meeting.carry ? meeting.carry_to_m : meeting.site_m, from_m) > kLeftSite_m) continue;
     if (legs_before(meeting.id) > plan_.legs_done + 1) break;
     plan_.rendezvous.erase(plan_.rendezvous.begin(),
                            plan_.rendezvous.begin() + static_cast<std::ptrdiff_t>(i) + 1);
@@ -240,7 +239,8 @@ bool PlanKeeper::on_vehicle(const AircraftView& vehicle) {
 
 /// Long past the time to leave, whoever waits for the mission is told what holds it up.
 bool PlanKeeper::review_wait() {
-  if (told_overdue_ || !has_flown_ || plan_.rendezvous.empty() || plan_.legs_done >= plan_.legs.size())
+  if (told_overdue_ || told_no_plan_ || !has_flown_ || plan_.rendezvous.empty() ||
+      plan_.legs_done >= plan_.legs.size())
     return false;
   const double due_s = std::max(plan_.rendezvous.front().depart_s, landed_since_s_);
   if (vehicle_->time_s < due_s + kOverdue_s) return false;
@@ -282,7 +282,9 @@ bool PlanKeeper::on_robot(const RobotView& robot) {
   if (is_robot_stranded()) return tell_stranded();
   told_stranded_ = false;
   if (review_robot_energy()) return true;
-  if (!vehicle_ || plan_.rendezvous.empty() || robot.has_vehicle || vehicle_->mode == AircraftMode::kDocked)
+  // Where the aircraft stays, the robot cannot be late.
+  if (!vehicle_ || told_no_plan_ || plan_.rendezvous.empty() || robot.has_vehicle ||
+      vehicle_->mode == AircraftMode::kDocked)
     return false;
   Rendezvous& next = plan_.rendezvous.front();
   const double there_s = next.by_depot ? drive_s(task_.charger, robot.position_m, task_.charger.start_m) +

@@ -101,6 +101,9 @@ class PlanKeeper {
   const std::vector<FieldReport>& fields() const { return fields_; }
   /// Predicted energy at the next landing, from the newest state; nothing on the ground.
   std::optional<double> energy_at_next_landing() const;
+  /// Landed this near to a meeting's place the aircraft is there: the robot takes it on board from where it
+  /// waits. From farther away the robot is asked to come.
+  static constexpr double kAtSite_m = 0.9;
   /// Metres of strips given up after their tries.
   double unflown_m() const { return unflown_m_; }
   /// What the robot's own battery holds, as far as is known.
@@ -171,6 +174,7 @@ class PlanKeeper {
   bool top_up_charge();
   bool come_down(const std::string& reason);
   std::size_t split_ahead(Rest& rest, const Commitment& begun);
+  std::size_t within_reach(std::vector<Leg>& legs, std::size_t before_landing);
   void land_at_once(std::vector<Leg> legs, std::size_t before_landing, const std::string& reason);
   void keep_track_of_leg(const Vec3& entry_m, bool covering);
   double robot_arrives_s(const Vec3& site_m) const;

@@ -75,20 +75,21 @@ double PlannerParticipant::spare_s(std::uint32_t leg) const {
 /// Where there is no way to the landing that a plan asks for, or one that waits, and the energy does not last
 /// for it, the aircraft comes down near where it would hold or is, and the robot comes there. The strips
 /// before a landing are given up for that only where it is near.
-ReplanReport PlannerParticipant::plan_or_land(ReplanRequest request) {
-  ReplanReport report = replanner_->plan(keeper_.world(), request, search_limit());
+ReplanReport PlannerParticipant::plan_or_land(ReplanRequest request,
+                                              const std::shared_ptr<const World>& world) {
+  ReplanReport report = replanner_->plan(world, request, search_limit());
   if (!coverage_ || !task_ || request.route.back().phase != Phase::kLanding) return report;
   const double spare = spare_s(request.route.back().leg_index);
   if (report.verdict == Verdict::kContingency && !report.lands &&
       report.path.back().time_s - hold_begins_s(report.path) > spare)
-    return land_near(std::move(request), report, flown_to_hold(report.path));
+    return land_near(std::move(request), report, flown_to_hold(report.path), world);
   if (report.verdict == Verdict::kCertified) {
     const double soonest_s =
         time_route(request.start_m, request.start_time_s, request.route, limits_).back().time_s;
     if (has_cover(request.route) && soonest_s > request.start_time_s + kSoon_s) return report;
     const double down_s = request.start_m.z() / limits_.descent_speed_mps;
     if (report.path.back().time_s - soonest_s > spare - down_s)
-      return land_near(std::move(request), report, {});
+      return land_near(std::move(request), report, {}, world);
   }
   return report;
 }
@@ -96,17 +97,18 @@ ReplanReport PlannerParticipant::plan_or_land(ReplanRequest request) {
 /// Down beside the end of a route, or where the aircraft is without one, instead of what was found, where
 /// that is sooner.
 ReplanReport PlannerParticipant::land_near(ReplanRequest request, const ReplanReport& found,
-                                           std::vector<RoutePoint> route) {
+                                           std::vector<RoutePoint> route,
+                                           const std::shared_ptr<const World>& world) {
   const std::uint32_t leg = request.route.back().leg_index;
   const bool flies_there = !route.empty();
   const Vec3 from = flies_there ? found.path.back().position_m : request.start_m;
   const double time_s = flies_there ? found.path.back().time_s : request.start_time_s;
-  const auto above = landing_near(from, time_s, ClearanceQuery(keeper_.world()), limits_);
+  const auto above = landing_near(from, time_s, ClearanceQuery(world), limits_);
   if (!above) return found;
   request.route = std::move(route);
   request.route.push_back({*above, Phase::kTransfer, leg, 0.0});
-  request.route.push_back({ground_below(*above, keeper_.world_now()->terrain()), Phase::kLanding, leg, 0.0});
-  ReplanReport down = replanner_->plan(keeper_.world(), request, search_limit());
+  request.route.push_back({ground_below(*above, world->terrain()), Phase::kLanding, leg, 0.0});
+  ReplanReport down = replanner_->plan(world, request, search_limit());
   const bool is_later = found.lands && down.path.back().time_s >= found.path.back().time_s;
   if (down.verdict != Verdict::kCertified || is_later) return found;
   down.verdict = Verdict::kContingency;

@@ -19,8 +19,6 @@ using data::VehicleMode;
 constexpr double kGoalHold_s = 10.0;
 /// Wall time for the search of the whole way to a goal while the mission has not begun.
 constexpr double kSearchBeforeStart_s = 0.9;
-/// Wall time between two tries to better a contingency, or to find any path after there was none.
-constexpr double kRetry_s = 0.5;
 /// A path is published again after this wall time, so that the writer's deadline is kept.
 constexpr double kRepublish_s = 4.0;
 /// A mission time this far behind is a new mission.
@@ -200,45 +198,6 @@ Status PlannerParticipant::act_on_ground(double now_s, bool changed) {
   return plan_from_ground(now_s);
 }
 
-Status PlannerParticipant::act_in_flight(double now_s, bool changed) {
-  const bool wants_better = log_.empty() || verdict_ == Verdict::kContingency ||
-                            (!log_.lands() && coverage_ &&
-                             log_.end_s() - now_s < 4.0 * lead_s(inbox_->time.rate(), options_.budget_ms));
-  const bool retries = (wants_better || owes_path_) && clock_.now_s() >= retry_wall_s_;
-  if (!changed && !retries) return {};
-  if (!changed || log_.empty()) return replan(now_s);
-  const ClearanceQuery query(keeper_.world());
-  const bool legs_hold =
-      !coverage_ || !published_ || published_->basis.coverage_revision == coverage_->revision;
-  const bool goal_holds =
-      coverage_ || !goal_ || !published_ || published_->basis.goal_revision == goal_->revision;
-  if (legs_hold && goal_holds && verdict_ == Verdict::kCertified && now_s <= log_.end_s() &&
-      certify(log_.rest(now_s), query, limits_).certified) {
-    if (changed_wall_s_ > 0.0) status_->add_latency_ms(1e3 * (clock_.now_s() - changed_wall_s_));
-    changed_wall_s_ = 0.0;
-    owes_path_ = false;
-    return {};
-  }
-  return replan(now_s);
-}
-
-RouteStart PlannerParticipant::start_of_route(double join_s) const {
-  RouteStart start;
-  start.leg = vehicle_->legs_done;
-  if (log_.empty()) {
-    start.position_m =
-        to_vec(vehicle_->position) + to_vec(vehicle_->velocity_mps) * (join_s - vehicle_->time_s);
-    start.leg_started = vehicle_->mode == VehicleMode::kCovering && vehicle_->leg_index == start.leg;
-    return start;
-  }
-  start.position_m = log_.position(join_s);
-  start.leg = std::max(start.leg, log_.target(join_s).leg_index);
-  if (coverage_ && start.leg < coverage_->legs.size()) {
-    start.leg_started = log_.has_begun(start.leg, to_vec(coverage_->legs[start.leg].entry), join_s);
-  }
-  return start;
-}
-
 std::vector<RoutePoint> PlannerParticipant::route_from(const RouteStart& start, double join_s) {
   const Terrain& terrain = keeper_.world_now()->terrain();
   if (!start.on_ground && !log_.empty() && join_s < log_.end_s() &&
@@ -279,40 +238,10 @@ Status PlannerParticipant::plan_from_ground(double now_s) {
   const StopCondition stop{.clock = &clock_, .deadline_s = clock_.now_s() + 1e-3 * options_.budget_ms};
   const ReplanReport report =
       replanner_->plan(keeper_.world(), {start.position_m, begin_s, Vec3::Zero(), std::move(route)}, stop);
-  retry_wall_s_ = clock_.now_s() + kRetry_s;
+  retry_wall_s_ = clock_.now_s() + kRetryWall_s;
   // On the ground a contingency is to stay there.
   if (report.verdict != Verdict::kCertified) {
     fail(report);
-    return {};
-  }
-  return publish(report, now_s, 1e3 * (clock_.now_s() - wall_s));
-}
-
-Status PlannerParticipant::replan(double now_s) {
-  const double wall_s = clock_.now_s();
-  const double lead = (1 << late_) * lead_s(inbox_->time.rate(), options_.budget_ms);
-  ReplanReport report;
-  // Where the path is shut within the lead, a shorter one may still get round.
-  for (const double share : {1.0, 0.5}) {
-    const double asked_s = now_s + share * lead;
-    const double join_s = log_.join_time_s(asked_s);
-    const RouteStart start = start_of_route(join_s);
-    std::vector<RoutePoint> route = route_from(start, join_s);
-    if (route.empty()) return {};
-    const Vec3 velocity = log_.empty() ? to_vec(vehicle_->velocity_mps) : log_.velocity(asked_s);
-    report = plan_or_land({start.position_m, join_s, velocity, std::move(route)});
-    if (report.verdict != Verdict::kNoSafePath) break;
-  }
-  retry_wall_s_ = clock_.now_s() + kRetry_s;
-  if (report.verdict == Verdict::kNoSafePath) {
-    fail(report);
-    return {};
-  }
-  // A contingency that is being flown and still holds is not traded for another one, but for a landing.
-  if (report.verdict == Verdict::kContingency && verdict_ == Verdict::kContingency && !log_.empty() &&
-      (log_.lands() || !report.lands) && now_s < log_.end_s() - 2.0 * lead &&
-      certify(log_.rest(now_s), ClearanceQuery(keeper_.world()), limits_).certified) {
-    changed_wall_s_ = 0.0;
     return {};
   }
   return publish(report, now_s, 1e3 * (clock_.now_s() - wall_s));

@@ -44,7 +44,8 @@ Status validate(const PlannerOptions& options);
 /// goal.
 /// - In flight it certifies the rest of the path anew whenever the world changes, and replans from where the
 /// vehicle will be in `lead_s` if that fails or the legs ahead have changed; a contingency is
-///   replaced as soon as something better is certified.
+///   replaced as soon as something better is certified. What turns takes up the margin that was kept from it
+/// for that: where nothing is certified with that margin any more, a path without it is a contingency.
 /// - What is published has been certified as a whole; where nothing can be, nothing is published and the
 /// status says so. `step` does the work on the caller's thread; `beat` keeps liveliness and status going and
 /// may be called from another thread meanwhile.
@@ -58,6 +59,8 @@ class PlannerParticipant {
   Status beat();
 
   static constexpr double kStuck_s = 2.0;
+  /// Wall time between two tries to better a contingency, or to find any path after there was none.
+  static constexpr double kRetryWall_s = 0.5;
   /// Mission seconds between the decision to replan and the start of the new path, at a rate.
   static double lead_s(double rate, double budget_ms);
 
@@ -111,8 +114,11 @@ class PlannerParticipant {
   std::vector<RoutePoint> route_to_goal(const RouteStart& start, double join_s);
   Status plan_from_ground(double now_s);
   Status replan(double now_s);
-  ReplanReport plan_or_land(ReplanRequest request);
-  ReplanReport land_near(ReplanRequest request, const ReplanReport& found, std::vector<RoutePoint> route);
+  std::optional<ReplanReport> plan_from_air(double now_s, double lead,
+                                            const std::shared_ptr<const World>& world);
+  ReplanReport plan_or_land(ReplanRequest request, const std::shared_ptr<const World>& world);
+  ReplanReport land_near(ReplanRequest request, const ReplanReport& found, std::vector<RoutePoint> route,
+                         const std::shared_ptr<const World>& world);
   StopCondition search_limit() const;
   double spare_s(std::uint32_t leg) const;
   Status publish(const ReplanReport& report, double now_s, double replan_ms);

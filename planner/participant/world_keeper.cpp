@@ -134,25 +134,34 @@ void WorldKeeper::add_no_fly(std::vector<Obstacle>& obstacles) const {
   }
 }
 
-std::shared_ptr<const World> WorldKeeper::world() {
-  if (!stale_) return world_;
-  if (has_terrain_ && !map_is_complete()) return world_;
-  if (!build_terrain()) return world_;
+/// nullptr if the obstacles fit no World.
+std::shared_ptr<const World> WorldKeeper::build(double turn_margin_m) const {
   std::vector<Obstacle> obstacles;
   for (const auto& [id, obstacle] : obstacles_) {
     obstacles.push_back(obstacle);
-    if (obstacle.moves()) obstacles.back().margin_m += turn_margin_m_;
+    if (obstacle.moves()) obstacles.back().margin_m += turn_margin_m;
   }
   add_no_fly(obstacles);
   Bounds bounds = bounds_;
   if (!no_fly_.empty()) bounds.max_m.z() = std::min(bounds.max_m.z(), highest_m_ + kNoFlyTop_m);
-  Result<std::shared_ptr<const World>> made =
-      World::make(*terrain_, std::move(obstacles), bounds, terrain_revision_, obstacle_revision_);
-  if (made) {
-    world_ = std::move(made).value();
+  auto made = World::make(*terrain_, std::move(obstacles), bounds, terrain_revision_, obstacle_revision_);
+  return made ? std::move(made).value() : nullptr;
+}
+
+std::shared_ptr<const World> WorldKeeper::world() {
+  if (!stale_) return world_;
+  if (has_terrain_ && !map_is_complete()) return world_;
+  if (!build_terrain()) return world_;
+  if (auto made = build(turn_margin_m_)) {
+    world_ = std::move(made);
     stale_ = false;
   }
   return world_;
+}
+
+std::shared_ptr<const World> WorldKeeper::world_without_turns() {
+  if (turn_margin_m_ == 0.0 || stale_) return world();
+  return build(0.0);
 }
 
 }  // namespace swallowtail::planner

@@ -34,7 +34,9 @@ class WorldKeeper {
 
   /// The newest World; nullptr while there is none. Built when something has changed.
   std::shared_ptr<const World> world();
-  /// The World last built.
+  /// The same with no more kept from obstacles that move than the margins stated for them.
+  std::shared_ptr<const World> world_without_turns();
+  /// The World last built by `world`.
   const std::shared_ptr<const World>& world_now() const { return world_; }
   /// True once after each change.
   bool take_changed() { return std::exchange(changed_, false); }
@@ -47,6 +49,7 @@ class WorldKeeper {
  private:
   bool map_is_complete() const { return !grid_.elevation_m.empty() && missing_ == 0; }
   bool build_terrain();
+  std::shared_ptr<const World> build(double turn_margin_m) const;
   void add_no_fly(std::vector<Obstacle>& obstacles) const;
 
   std::map<std::uint32_t, Obstacle> obstacles_;

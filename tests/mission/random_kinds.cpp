@@ -41,7 +41,9 @@ void draw_lines(Rng& rng, RandomMission& mission) {
 }
 
 /// The robot's map of closed ground has cells of 2 m.
-const std::array<Vec2, 5> kAround{Vec2(0, 0), Vec2(3, 0), Vec2(-3, 0), Vec2(0, 3), Vec2(0, -3)};
+const std::array<Vec2, 9> kAround{Vec2(0, 0),      Vec2(3, 0),      Vec2(-3, 0),
+                                  Vec2(0, 3),      Vec2(0, -3),     Vec2(2.1, 2.1),
+                                  Vec2(2.1, -2.1), Vec2(-2.1, 2.1), Vec2(-2.1, -2.1)};
 
 void draw_closed_ground(Rng& rng, RandomMission& mission, const std::string& file) {
   std::vector<coverage::Polygon> areas;

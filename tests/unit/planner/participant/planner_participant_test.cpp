@@ -204,31 +204,6 @@ TEST_F(PlannerTest, AvoidsAnObstacleThatMovesIntoItsWay) {
   EXPECT_EQ(vehicle.legs_done, 2u);
 }
 
-/// It goes beside the strip, as near as its radius and the vehicle's clearance allow and a little more.
-TEST_F(PlannerTest, KeepsMarginFromObstaclesThatMayTurnWhereAskedTo) {
-  const auto passed_m = [this](double acceleration_mps2, const data::Vec3& velocity) {
-    start_planner_with({.vehicle_id = 1, .obstacle_acceleration_mps2 = acceleration_mps2});
-    paths.clear();
-    publish(task());
-    publish(plan({Transfer::kEnd}));
-    data::Obstacle mover = sphere(7, {7.0, 60, 20}, 4.0);
-    mover.velocity_mps = velocity;
-    publish(mover);
-    run(0.3);
-    double least = 1e9;
-    const TimedPath flown = to_path(path().waypoints);
-    for (double t = flown.front().time_s; t < flown.back().time_s; t += 0.02) {
-      const Vec3 at(7.0 + velocity.x_m * t, 60 + velocity.y_m * t, 20);
-      least = std::min(least, (position_at(flown, t) - at).norm());
-    }
-    return least;
-  };
-  EXPECT_NEAR(passed_m(0.0, {0, 0.5, 0}), 7.0, 1e-3);
-  // Half a second's lead and 16 m/s²: 2 m more than the 6.5 m.
-  EXPECT_GE(passed_m(16.0, {0, 0.5, 0}), 8.5 - 1e-3);
-  EXPECT_NEAR(passed_m(16.0, {0, 0, 0}), 7.0, 1e-3) << "what stands still does not turn";
-}
-
 TEST_F(PlannerTest, HoldsWhenItsGoalIsBlockedAndGoesOnWhenItIsFreeAgain) {
   start_mission({Transfer::kEnd});
   run(12.0);
