@@ -100,7 +100,7 @@ bool PlanKeeper::replace_aircraft(const AircraftView& vehicle) {
   lands_at_once_ = false;
   detour_energy_ = 0.0;
   told_no_plan_ = false;
-  told_overdue_ = false;
+  told_overdue_.clear();
   told_short_ = false;
   solved_slack_.reset();
   retry_s_ = vehicle.time_s;

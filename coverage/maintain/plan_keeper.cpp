@@ -215,7 +215,7 @@ bool PlanKeeper::on_vehicle(const AircraftView& vehicle) {
     has_flown_ = true;
     solved_slack_.reset();
     lands_at_once_ = false;
-    told_overdue_ = false;
+    told_overdue_.clear();
     told_no_plan_ = false;
     told_short_ = false;
     follow_progress(vehicle);
@@ -237,15 +237,17 @@ bool PlanKeeper::on_vehicle(const AircraftView& vehicle) {
   return tell_given_up(review_wait() || changed);
 }
 
-/// Long past the time to leave, whoever waits for the mission is told what holds it up.
+/// Long past the time to leave, whoever waits for the mission is told what holds it up, and what else later.
 bool PlanKeeper::review_wait() {
-  if (told_overdue_ || told_no_plan_ || !has_flown_ || plan_.rendezvous.empty() ||
-      plan_.legs_done >= plan_.legs.size())
+  if (told_no_plan_ || !has_flown_ || plan_.rendezvous.empty() || plan_.legs_done >= plan_.legs.size())
     return false;
   const double due_s = std::max(plan_.rendezvous.front().depart_s, landed_since_s_);
-  if (vehicle_->time_s < due_s + kOverdue_s) return false;
-  told_overdue_ = true;
-  note_revision("waits since " + std::to_string(std::lround(due_s)) + " s for " + what_holds_it_up());
+  if (vehicle_->time_s < std::max(due_s, told_overdue_s_) + kOverdue_s) return false;
+  std::string holder = what_holds_it_up();
+  if (holder == told_overdue_) return false;
+  told_overdue_ = std::move(holder);
+  told_overdue_s_ = vehicle_->time_s;
+  note_revision("waits since " + std::to_string(std::lround(due_s)) + " s for " + told_overdue_);
   return true;
 }
 

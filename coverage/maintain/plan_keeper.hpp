@@ -227,8 +227,9 @@ class PlanKeeper {
   bool gives_up_ = false;  ///< a stretch, which is not told yet
   std::uint64_t refused_ = 0;
   double landed_since_s_ = 0.0;
-  bool told_short_ = false;     ///< in this flight
-  bool told_overdue_ = false;   ///< in this stay on the ground
+  bool told_short_ = false;   ///< in this flight
+  std::string told_overdue_;  ///< what holds it up, in this stay on the ground
+  double told_overdue_s_ = -1e9;
   bool told_no_plan_ = false;   ///< in this stay on the ground
   bool told_stranded_ = false;  ///< since the robot had energy
   std::string no_plan_;         ///< why the last solution failed

@@ -170,6 +170,11 @@ TEST_F(Keeper, LongPastItsTimeToLeaveItSaysWhatHoldsItUp) {
                     .is_ready = one.is_ready});
     EXPECT_TRUE(made->on_vehicle(landed));
     EXPECT_NE(made->plan().reason.find(one.holder), std::string::npos) << made->plan().reason;
+    landed.time_s += 130.0;
+    made->on_robot({.time_s = landed.time_s, .position_m = meeting.site_m, .has_vehicle = true});
+    const std::string next = landed.mode == AircraftMode::kDocked ? "for the robot to let it go" : one.holder;
+    EXPECT_EQ(made->on_vehicle(landed), next != one.holder) << "another holder is news, the same one is not";
+    EXPECT_NE(made->plan().reason.find(next), std::string::npos) << made->plan().reason;
   }
 }
 
