@@ -70,14 +70,15 @@ Vec3 cone_normal(const Vec3& p, const FieldSolid& cone) {
   return level_over(p, n.x(), n.y());
 }
 
-Vec3 mesh_normal(const Vec3& p, const double* supports) {
+Vec3 mesh_normal(const Vec3& p, const MeshShape& mesh) {
   double greatest = -std::numeric_limits<double>::infinity();
   Vec3 normal = Vec3::UnitZ();
-  for (std::size_t k = 0; k < detail::kMeshDirections; ++k) {
-    const double d = detail::mesh_directions()[k].dot(p) - supports[k];
+  for (std::size_t k = 0; k < mesh.count; ++k) {
+    const Vec3 direction(mesh.directions + 3 * k);
+    const double d = direction.dot(p) - mesh.supports[k];
     if (d > greatest) {
       greatest = d;
-      normal = detail::mesh_directions()[k];
+      normal = direction;
     }
   }
   return normal;
@@ -117,7 +118,7 @@ Vec3 normal_at(const FieldSolid& solid, const Vec3& p, const double* supports) {
     case SolidKind::kBox:
       return box_normal(p, solid.half_m);
     case SolidKind::kMesh:
-      return mesh_normal(p, supports + solid.first_support);
+      return mesh_normal(p, detail::mesh_of(solid, supports));
   }
   const double away = p.norm();
   return away > 0.0 ? Vec3(p / away) : Vec3(Vec3::UnitZ());

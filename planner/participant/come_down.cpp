@@ -21,20 +21,31 @@ Vec3 ground_below(const Vec3& p, const Terrain& terrain) {
   return {p.x(), p.y(), terrain.height_at(p.x(), p.y())};
 }
 
-/// The first place at or around another, at its height, that can be landed at from above.
-std::optional<Vec3> landing_near(const Vec3& place, double time_s, const ClearanceQuery& query,
-                                 const VehicleLimits& limits) {
-  const World& world = query.world();
+/// Of the nearest places at or around the end of a route where the aircraft can come down then, the one with
+/// the most clearance: the route, and down there.
+std::optional<std::vector<RoutePoint>> down_near(const ReplanRequest& request,
+                                                 const std::vector<RoutePoint>& route,
+                                                 const ClearanceQuery& query, const VehicleLimits& limits) {
+  const RoutePoint& end = route.back();
+  std::optional<std::vector<RoutePoint>> best;
+  double most_m = -1.0;
   for (const double ring : kRings) {
     for (int k = 0; k < (ring == 0.0 ? 1 : kDirections); ++k) {
       const double angle = 2.0 * std::numbers::pi * k / kDirections;
-      const Vec3 above = place + ring * limits.clearance_m() * Vec3(std::cos(angle), std::sin(angle), 0.0);
-      const Vec3 ground = ground_below(above, world.terrain());
-      const TimedPath down = time_route(above, time_s, {{ground, Phase::kLanding, 0, 0.0}}, limits);
-      if (certify(down, query, limits).certified) return above;
+      const Vec3 aside = ring * limits.clearance_m() * Vec3(std::cos(angle), std::sin(angle), 0.0);
+      std::vector<RoutePoint> down = route;
+      const Vec3 above = end.position_m + aside;
+      down.push_back({above, Phase::kTransfer, end.leg_index, 0.0});
+      down.push_back({ground_below(above, query.world().terrain()), Phase::kLanding, end.leg_index, 0.0});
+      const Certificate certificate =
+          certify(time_route(request.start_m, request.start_time_s, down, limits), query, limits);
+      if (!certificate.certified || certificate.clearance_min_m <= most_m) continue;
+      most_m = certificate.clearance_min_m;
+      best = std::move(down);
     }
+    if (best) break;
   }
-  return std::nullopt;
+  return best;
 }
 
 bool has_cover(const std::vector<RoutePoint>& route) {
@@ -82,35 +93,31 @@ ReplanReport PlannerParticipant::plan_or_land(ReplanRequest request,
   const double spare = spare_s(request.route.back().leg_index);
   if (report.verdict == Verdict::kContingency && !report.lands &&
       report.path.back().time_s - hold_begins_s(report.path) > spare)
-    return land_near(std::move(request), report, flown_to_hold(report.path), world);
-  if (report.verdict == Verdict::kCertified) {
-    const double soonest_s =
-        time_route(request.start_m, request.start_time_s, request.route, limits_).back().time_s;
-    if (has_cover(request.route) && soonest_s > request.start_time_s + kSoon_s) return report;
-    const double down_s = request.start_m.z() / limits_.descent_speed_mps;
-    if (report.path.back().time_s - soonest_s > spare - down_s)
-      return land_near(std::move(request), report, {}, world);
-  }
-  return report;
+    return land_near(std::move(request), std::move(report), world);
+  if (report.verdict != Verdict::kCertified) return report;
+  const double soonest_s =
+      time_route(request.start_m, request.start_time_s, request.route, limits_).back().time_s;
+  if (has_cover(request.route) && soonest_s > request.start_time_s + kSoon_s) return report;
+  const double down_s = request.start_m.z() / limits_.descent_speed_mps;
+  if (report.path.back().time_s - soonest_s <= spare - down_s) return report;
+  report.verdict = Verdict::kContingency;
+  return land_near(std::move(request), std::move(report), world);
 }
 
-/// Down beside the end of a route, or where the aircraft is without one, instead of what was found, where
-/// that is sooner.
-ReplanReport PlannerParticipant::land_near(ReplanRequest request, const ReplanReport& found,
-                                           std::vector<RoutePoint> route,
+/// Down beside where a contingency holds, or where the aircraft is if it lands too late, where that is sooner
+/// than what was found.
+ReplanReport PlannerParticipant::land_near(ReplanRequest request, ReplanReport found,
                                            const std::shared_ptr<const World>& world) {
-  const std::uint32_t leg = request.route.back().leg_index;
-  const bool flies_there = !route.empty();
-  const Vec3 from = flies_there ? found.path.back().position_m : request.start_m;
-  const double time_s = flies_there ? found.path.back().time_s : request.start_time_s;
-  const auto above = landing_near(from, time_s, ClearanceQuery(world), limits_);
-  if (!above) return found;
-  request.route = std::move(route);
-  request.route.push_back({*above, Phase::kTransfer, leg, 0.0});
-  request.route.push_back({ground_below(*above, world->terrain()), Phase::kLanding, leg, 0.0});
+  std::vector<RoutePoint> route;
+  if (!found.lands) route = flown_to_hold(found.path);
+  if (route.empty())
+    route.push_back({request.start_m, Phase::kTransfer, request.route.back().leg_index, kStopToTurn_s});
+  auto down_there = down_near(request, route, ClearanceQuery(world), limits_);
+  if (!down_there) return found;
+  request.route = std::move(*down_there);
   ReplanReport down = replanner_->plan(world, request, search_limit());
-  const bool is_later = found.lands && down.path.back().time_s >= found.path.back().time_s;
-  if (down.verdict != Verdict::kCertified || is_later) return found;
+  if (down.verdict != Verdict::kCertified) return found;
+  if (found.lands && down.path.back().time_s >= found.path.back().time_s) return found;
   down.verdict = Verdict::kContingency;
   down.reason = found.reason + ", lands nearby";
   return down;

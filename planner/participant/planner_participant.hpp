@@ -117,7 +117,7 @@ class PlannerParticipant {
   std::optional<ReplanReport> plan_from_air(double now_s, double lead,
                                             const std::shared_ptr<const World>& world);
   ReplanReport plan_or_land(ReplanRequest request, const std::shared_ptr<const World>& world);
-  ReplanReport land_near(ReplanRequest request, const ReplanReport& found, std::vector<RoutePoint> route,
+  ReplanReport land_near(ReplanRequest request, ReplanReport found,
                          const std::shared_ptr<const World>& world);
   StopCondition search_limit() const;
   double spare_s(std::uint32_t leg) const;

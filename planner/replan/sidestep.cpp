@@ -114,12 +114,27 @@ int Sidestep::sides_of_ground(const Hit& hit, const Vec3& a, const Vec3& b, Side
   return count;
 }
 
+bool Sidestep::is_round(std::size_t solid) const {
+  return field_.solids()[solid].kind == detail::SolidKind::kSphere;
+}
+
+/// A tall one is passed at the height flown, not at that of its middle.
+Vec3 Sidestep::center_at(std::size_t solid, double time_s, double height_m) const {
+  Vec3 center = field_.ball_center_m(solid, time_s);
+  if (is_round(solid)) return center;
+  const double half = field_.half_width_m(solid, Vec3::UnitZ());
+  center.z() = std::clamp(height_m, center.z() - half, center.z() + half);
+  return center;
+}
+
 int Sidestep::sides_of(const Hit& hit, const Vec3& a, const Vec3& b, double time_s, Side* sides) {
   if (hit.solid == kGround) return sides_of_ground(hit, a, b, sides);
   const auto solid = static_cast<std::size_t>(hit.solid);
   const Vec3 d = (b - a).normalized();
   const double met_s = time_s + hit.fraction * duration_s(a, b);
-  const Vec3 center = field_.ball_center_m(solid, met_s);
+  const bool round = is_round(solid);
+  const Vec3 center = center_at(solid, met_s, a.z() + hit.fraction * (b - a).z());
+  const double lift = center.z() - field_.ball_center_m(solid, met_s).z();
   const double ahead = d.dot(center - a);
   const double behind = d.dot(b - center);
   Vec3 n = hit.normal - d * d.dot(hit.normal);
@@ -127,11 +142,10 @@ int Sidestep::sides_of(const Hit& hit, const Vec3& a, const Vec3& b, double time
   const Vec3 m = d.cross(n);
   const double required = field_.required_m(solid);
   const double depth = field_.half_width_m(solid, d);
-  const bool round = field_.solids()[solid].kind == detail::SolidKind::kSphere;
   for (int k = 0; k < kSides; ++k) {
     const double angle = 2.0 * std::numbers::pi * k / kSides;
     const Vec3 u = std::cos(angle) * n + std::sin(angle) * m;
-    const double reach = kRoom * (field_.half_width_m(solid, u) + required);
+    const double reach = kRoom * (field_.half_width_m(solid, u) + required) - lift * u.z();
     double corner = 1.0;
     if (round) {
       for (const double away : {ahead, behind}) {
@@ -154,8 +168,8 @@ int Sidestep::sides_of(const Hit& hit, const Vec3& a, const Vec3& b, double time
 bool Sidestep::push_out(Side& side, const Hit& hit, double time_s) {
   if (hit.solid == kGround) return false;
   const Bounds& bounds = field_.world().bounds();
-  const Vec3 center = field_.ball_center_m(static_cast<std::size_t>(hit.solid), time_s);
-  const Vec3 out = 0.5 * (side.first + side.second) - center;
+  const Vec3 middle = 0.5 * (side.first + side.second);
+  const Vec3 out = middle - center_at(static_cast<std::size_t>(hit.solid), time_s, middle.z());
   for (const double push : kPushes) {
     const Vec3 more = push * out;
     if (!bounds.contains(side.first + more) || !bounds.contains(side.second + more)) return false;

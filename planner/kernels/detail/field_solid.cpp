@@ -4,7 +4,10 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <span>
 #include <variant>
+
+#include "planner/kernels/detail/prism.hpp"
 
 namespace swallowtail::planner::detail {
 namespace {
@@ -32,11 +35,16 @@ void set_mesh(FieldSolid& solid, const ConvexMesh& mesh, std::vector<double>& su
   solid.kind = SolidKind::kMesh;
   solid.first_support = supports.size();
   set_yaw(solid, mesh.yaw_rad);
-  for (const Vec3& direction : mesh_directions()) {
+  const std::vector<Vec3> own = prism_directions(mesh);
+  const std::span<const Vec3> directions = own.empty() ? std::span<const Vec3>(mesh_directions()) : own;
+  for (const Vec3& direction : directions) {
     double support = -std::numeric_limits<double>::infinity();
     for (const Vec3& v : mesh.vertices_m) support = std::max(support, direction.dot(v));
     supports.push_back(support);
   }
+  solid.half_spaces = directions.size();
+  solid.has_directions = !own.empty();
+  for (const Vec3& direction : own) supports.insert(supports.end(), direction.begin(), direction.end());
 }
 
 }  // namespace

@@ -12,7 +12,8 @@ namespace swallowtail::planner::detail {
 
 enum class SolidKind : std::uint8_t { kSphere, kCylinder, kCone, kBox, kMesh };
 
-/// A mesh is replaced by the half-spaces of this many directions.
+/// A mesh is replaced by the half-spaces of this many directions; an upright prism by those of its own faces,
+/// of its edges, and of bevels between.
 inline constexpr std::size_t kMeshDirections = 62;
 /// Spread evenly over the sphere (Fibonacci lattice) after the six axes.
 const std::array<Vec3, kMeshDirections>& mesh_directions();
@@ -33,7 +34,9 @@ struct FieldSolid {
   Vec3 half_m = Vec3::Zero();
   double cos_yaw = 1.0;
   double sin_yaw = 0.0;
-  std::size_t first_support = 0;  ///< of kMeshDirections
+  std::size_t first_support = 0;  ///< of half_spaces, with their directions after them where it has its own
+  std::size_t half_spaces = 0;
+  bool has_directions = false;
   std::uint32_t id = 0;
   SolidKind kind = SolidKind::kSphere;
 };

@@ -29,7 +29,8 @@ inline CylinderShape cylinder_of(const FieldSolid& s) { return {s.radius_m, s.he
 inline ConeShape cone_of(const FieldSolid& s) { return {s.radius_m, s.height_m, s.slant_m}; }
 inline BoxShape box_of(const FieldSolid& s) { return {{s.half_m.x(), s.half_m.y(), s.half_m.z()}}; }
 inline MeshShape mesh_of(const FieldSolid& s, const double* supports) {
-  return {mesh_directions().front().data(), supports + s.first_support, kMeshDirections};
+  const double* first = supports + s.first_support;
+  return {s.has_directions ? first + s.half_spaces : mesh_directions().front().data(), first, s.half_spaces};
 }
 
 /// Distances are found to this share of (hop length + bounding radius).

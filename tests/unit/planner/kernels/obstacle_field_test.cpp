@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
+
 #include "planner/world/clearance.hpp"
 #include "tests/unit/planner/replan/random_worlds.hpp"
 
@@ -50,6 +53,40 @@ TEST(ObstacleField, NeverOverstatesTheDistanceToAMesh) {
     const Vec3 b(rng.uniform(-20, 20), rng.uniform(-20, 20), rng.uniform(-5, 20));
     const double fcl = ClearanceQuery(world).of_flight(a, 0, b, 1, 500.0).distance_m;
     ASSERT_LE(field.approach(0, a, 0, b, 1).signed_distance_m, fcl + 1e-3) << "trial " << trial;
+  }
+}
+
+/// Far taller than wide, and aslant: what no fixed directions bound well.
+TEST(ObstacleField, BoundsUprightPrismsByTheirOwnFaces) {
+  Rng rng(29);
+  for (int trial = 0; trial < 2000; ++trial) {
+    const int corners = 3 + static_cast<int>(rng.below(8));
+    const double length_m = std::pow(10.0, rng.uniform(0.0, 2.0));
+    const double turn = rng.uniform(0.0, 2.0 * std::numbers::pi);
+    const double top_m = std::pow(10.0, rng.uniform(0.5, 3.0));
+    ConvexMesh mesh;
+    for (int k = 0; k < corners; ++k) {
+      const double angle = 2.0 * std::numbers::pi * (k + 0.8 * rng.uniform()) / corners;
+      const Vec2 p(length_m * std::cos(angle), 4.0 * std::sin(angle));
+      for (const double z : {-10.0, top_m})
+        mesh.vertices_m.emplace_back(std::cos(turn) * p.x() - std::sin(turn) * p.y(),
+                                     std::sin(turn) * p.x() + std::cos(turn) * p.y(), z);
+    }
+    const Obstacle obstacle{.id = 1, .shape = mesh};
+    if (!validate(obstacle)) continue;
+    const auto world = world_of({obstacle});
+    const ObstacleField field(world, VehicleLimits{});
+    const double reach_m = length_m + 20.0;
+    Vec3 a(rng.uniform(-reach_m, reach_m), rng.uniform(-reach_m, reach_m), rng.uniform(-20, top_m + 20));
+    Vec3 b(rng.uniform(-reach_m, reach_m), rng.uniform(-reach_m, reach_m), rng.uniform(-20, top_m + 20));
+    const bool level = rng.uniform() < 0.5;
+    if (level) a.z() = b.z() = rng.uniform(-9.0, top_m);
+    const double exact = ClearanceQuery(world).of_flight(a, 0, b, 1, 5000.0).distance_m;
+    const double bound = field.approach(0, a, 0, b, 1).signed_distance_m;
+    ASSERT_LE(bound, exact + 1e-3) << "trial " << trial;
+    const double least = level ? std::cos(std::numbers::pi / 12.0) : 0.7;
+    if (exact == 0.0) continue;
+    ASSERT_GE(bound, least * exact - 1e-3) << "trial " << trial << (level ? ", level" : "");
   }
 }
 

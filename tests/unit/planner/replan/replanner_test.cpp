@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <cmath>
+#include <numbers>
 
 #include "tests/unit/planner/replan/random_worlds.hpp"
 
@@ -48,6 +49,36 @@ TEST(Replanner, LeavesAClearRouteAlone) {
   EXPECT_EQ(report.reason, "route is clear");
   EXPECT_TRUE(report.lands);
   EXPECT_NEAR(length_m(report.path), 230.0, 1e-9);
+}
+
+/// A no-fly area, with a ball beside it that leaves no room between at the height flown.
+TEST(Replanner, PassesATallPrismAtTheHeightFlown) {
+  double longest = 0.0;
+  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+    Rng rng(seed);
+    const double radius_m = rng.uniform(3.0, 12.0);
+    ConvexMesh prism;
+    for (const double z : {-10.0, 1000.0}) {
+      for (int k = 0; k < 6; ++k) {
+        const double angle = std::numbers::pi * k / 3.0;
+        prism.vertices_m.emplace_back(radius_m * std::cos(angle), radius_m * std::sin(angle), z);
+      }
+    }
+    const double ball_m = rng.uniform(2.0, 4.0);
+    std::vector<Obstacle> obstacles{
+        {.id = 1, .shape = prism, .position_m = Vec3(rng.uniform(-8, 8), 40, 0)},
+        ball(2, Vec3(radius_m + ball_m + rng.uniform(0.0, 5.0), 40, rng.uniform(4.0, 8.0)), ball_m)};
+    const auto world =
+        *World::make(Terrain::flat(0.0), obstacles, Bounds{Vec3(-1e6, -1e6, -1e3), Vec3(1e6, 1e6, 1e3)});
+    ReplanRequest request;
+    request.start_m = Vec3(0, 0, 6.4);
+    request.route = {{Vec3(rng.uniform(-5, 5), 80, 6.4), Phase::kTransfer, 0, 0.0}};
+    const ReplanReport report = plan(world, request);
+    ASSERT_EQ(report.verdict, Verdict::kCertified) << "seed " << seed << ": " << report.reason;
+    longest = std::max(longest, length_m(report.path));
+    EXPECT_LE(length_m(report.path), 160.0) << "seed " << seed;
+  }
+  RecordProperty("longest_m", std::to_string(longest));
 }
 
 TEST(Replanner, StopsFirstWhereADetourAtTheStartTurnsBack) {
