@@ -218,7 +218,7 @@ bool PlanKeeper::on_vehicle(const AircraftView& vehicle) {
     told_overdue_.clear();
     told_no_plan_ = false;
     told_short_ = false;
-    follow_progress(vehicle);
+    follow_progress(before, vehicle);
     if (times_off) {
       shift_times(plan_, plan_.legs_done, late);
       note_revision("times: the take-off was " + std::to_string(std::lround(late)) + " s late");
@@ -231,7 +231,7 @@ bool PlanKeeper::on_vehicle(const AircraftView& vehicle) {
     landed_since_s_ = vehicle.time_s;
     if (!lands_at_once_ && at_meeting(vehicle.position_m)) detour_energy_ = 0.0;
   }
-  follow_progress(vehicle);
+  follow_progress(before, vehicle);
   if (!vehicle.on_ground()) return tell_given_up(review_gaps());
   const bool changed = review_ground();
   return tell_given_up(review_wait() || changed);

@@ -142,7 +142,9 @@ class PlanKeeper {
   double landing_spare() const;
 
   bool refuse();
-  void follow_progress(const AircraftView& vehicle);
+  void follow_progress(const std::optional<AircraftView>& before, const AircraftView& vehicle);
+  TrackParams track_params() const;
+  void miss_leg(double duration_s);
   void finish_leg(std::size_t leg);
   Leg flown_part(Leg leg, const std::vector<Gap>& gaps) const;
   void watch(const AircraftView& vehicle);

@@ -64,10 +64,24 @@ Leg PlanKeeper::flown_part(Leg leg, const std::vector<Gap>& gaps) const {
   return leg;
 }
 
+TrackParams PlanKeeper::track_params() const {
+  return {0.5, std::max(0.5, task_.height_tolerance_m), 0.5, task_.vehicle.cruise_speed_mps};
+}
+
+/// The next leg was never under way, and is longer than what can be flown in that time: nothing of it is.
+void PlanKeeper::miss_leg(double duration_s) {
+  const Leg& leg = plan_.legs[plan_.legs_done];
+  const double most_m = task_.vehicle.cruise_speed_mps * duration_s + kGapOverlap_m;
+  if (leg.kind != LegKind::kCover || (leg.exit_m - leg.entry_m).norm() <= most_m) return;
+  track_.emplace(leg, track_params());
+  track_->miss();
+  tracked_leg_ = plan_.legs_done;
+}
+
 /// A leg is watched while it is flown, and while a later one is: the planner passes over legs where something
 /// stands.
 void PlanKeeper::watch(const AircraftView& vehicle) {
-  const TrackParams params{0.5, std::max(0.5, task_.height_tolerance_m), 0.5, task_.vehicle.cruise_speed_mps};
+  const TrackParams params = track_params();
   const std::size_t past =
       std::min({vehicle.leg_index + 1, plan_.legs.size(), plan_.legs_done + kMostPassedOver});
   for (std::size_t i = plan_.legs_done; i < past; ++i) {
@@ -83,11 +97,14 @@ void PlanKeeper::watch(const AircraftView& vehicle) {
   }
 }
 
-void PlanKeeper::follow_progress(const AircraftView& vehicle) {
+void PlanKeeper::follow_progress(const std::optional<AircraftView>& before, const AircraftView& vehicle) {
   const std::size_t done = std::min(vehicle.legs_done, plan_.legs.size());
   while (plan_.legs_done < done) {
-    if (track_ && tracked_leg_ == plan_.legs_done)
+    if (track_ && tracked_leg_ == plan_.legs_done) {
       track_->add(vehicle.time_s, vehicle.position_m, vehicle.covering);
+    } else if (before) {
+      miss_leg(vehicle.time_s - before->time_s);
+    }
     finish_leg(plan_.legs_done);
     ++plan_.legs_done;
     track_.reset();

@@ -9,7 +9,6 @@ namespace {
 /// Positions further apart in time are joined only when the way between fits a straight flight.
 constexpr double kJoined_s = 1.0;
 constexpr double kStraightShare = 0.8;
-constexpr int kWatched = 3;  ///< so many positions at least tell that a leg was not flown
 
 }  // namespace
 

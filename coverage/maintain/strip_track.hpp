@@ -30,6 +30,8 @@ class StripTrack {
       : entry_m_(leg.entry_m), exit_m_(leg.exit_m), params_(params) {}
 
   void add(double time_s, const Vec3& position_m, bool covering = true);
+  /// Nothing of it was flown, for certain.
+  void miss() { samples_ = kWatched; }
   /// The leg now ends here, on its line.
   void end_at(const Vec3& exit_m) { exit_m_ = exit_m; }
   bool on_line(const Vec3& position_m) const;
@@ -45,6 +47,7 @@ class StripTrack {
   double flown_from_entry_m() const;
 
  private:
+  static constexpr int kWatched = 3;  ///< so many positions at least tell that a leg was not flown
   struct Sample {
     double time_s;
     double along_m;

@@ -247,6 +247,19 @@ TEST_F(Keeper, ALegThatThePlannerPassedOverIsFlownLater) {
   EXPECT_FALSE(made->complete()) << "it is to be flown yet";
 }
 
+TEST_F(Keeper, ALegPassedOverInNoTimeIsFlownLater) {
+  auto made = PlanKeeper::make(holed_task(), planner::Terrain::flat(0.0), {});
+  ASSERT_TRUE(made.ok());
+  made->on_vehicle(AircraftView{});
+  for (int step = 0; step <= 100; ++step) made->on_vehicle(on_leg(made->plan(), 0, 0.01 * step));
+  AircraftView beyond = on_leg(made->plan(), 2, 0.0);
+  beyond.time_s = made->plan().legs[0].end_s + 0.1;
+  made->on_vehicle(beyond);
+  EXPECT_EQ(made->plan().legs[0].kind, LegKind::kCover);
+  EXPECT_EQ(made->plan().legs[1].kind, LegKind::kReposition) << "there was no time to fly it";
+  EXPECT_FALSE(made->complete());
+}
+
 /// Metres of a new field's middle line that no leg of the plan passes within half a width.
 double unplanned_m(const LivePlan& plan, const Vec2& from, const Vec2& to) {
   double out = 0.0;
