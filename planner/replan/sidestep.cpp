@@ -20,6 +20,8 @@ constexpr int kDeepest = 12;
 /// Hops looked at before a way is halved, and how often it is.
 constexpr std::uint64_t kTry = 80;
 constexpr int kHalvings = 7;
+/// Height in widths.
+constexpr double kTall = 3.0;
 /// A point that is not free is moved outwards by these factors.
 constexpr std::array kPushes{0.3, 0.8, 1.6};
 
@@ -114,16 +116,12 @@ int Sidestep::sides_of_ground(const Hit& hit, const Vec3& a, const Vec3& b, Side
   return count;
 }
 
-bool Sidestep::is_round(std::size_t solid) const {
-  return field_.solids()[solid].kind == detail::SolidKind::kSphere;
-}
-
-/// A tall one is passed at the height flown, not at that of its middle.
+/// A prism far taller than wide (a no-fly area) is passed at the height flown, not at that of its middle.
 Vec3 Sidestep::center_at(std::size_t solid, double time_s, double height_m) const {
   Vec3 center = field_.ball_center_m(solid, time_s);
-  if (is_round(solid)) return center;
-  const double half = field_.half_width_m(solid, Vec3::UnitZ());
-  center.z() = std::clamp(height_m, center.z() - half, center.z() + half);
+  const Vec3& half = field_.solids()[solid].half_extent_m;
+  if (field_.solids()[solid].has_directions && half.z() > kTall * half.head<2>().maxCoeff())
+    center.z() = std::clamp(height_m, center.z() - half.z(), center.z() + half.z());
   return center;
 }
 
@@ -132,7 +130,7 @@ int Sidestep::sides_of(const Hit& hit, const Vec3& a, const Vec3& b, double time
   const auto solid = static_cast<std::size_t>(hit.solid);
   const Vec3 d = (b - a).normalized();
   const double met_s = time_s + hit.fraction * duration_s(a, b);
-  const bool round = is_round(solid);
+  const bool round = field_.solids()[solid].kind == detail::SolidKind::kSphere;
   const Vec3 center = center_at(solid, met_s, a.z() + hit.fraction * (b - a).z());
   const double lift = center.z() - field_.ball_center_m(solid, met_s).z();
   const double ahead = d.dot(center - a);

@@ -53,7 +53,6 @@ class Sidestep {
   bool reach(const Vec3& a, const Vec3& b, double time_s, int halvings);
   bool over(const Vec3& a, const Vec3& b, double time_s);
   std::optional<Vec3> free_near(const Vec3& p, double step_m, double time_s);
-  bool is_round(std::size_t solid) const;
   Vec3 center_at(std::size_t solid, double time_s, double height_m) const;
   int sides_of(const Hit& hit, const Vec3& a, const Vec3& b, double time_s, Side* sides);
   int sides_of_ground(const Hit& hit, const Vec3& a, const Vec3& b, Side* sides) const;
