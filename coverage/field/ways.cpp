@@ -24,6 +24,7 @@ constexpr double kMostTolerance_m = 1.0;
 /// Beyond the border, out of what is not crossed.
 constexpr double kOut_m = 0.02;
 
+constexpr double kHair_m = 1e-9;
 /// Of a hole, at the most, that its fields leave over when they fill it.
 constexpr double kFilled = 0.01;
 
@@ -67,11 +68,12 @@ class Ways::Domain {
   bool is_free(const Vec2& from, const Vec2& to) const {
     return is_beside(from, to) || ground_.is_free(from, to);
   }
-  std::optional<std::vector<Vec2>> corners(const Vec2& from, const Vec2& to);
+  /// Ends this deep and more within what is not crossed are left straight first.
+  std::optional<std::vector<Vec2>> corners(const Vec2& from, const Vec2& to, double least_m);
 
  private:
   bool is_beside(const Vec2& from, const Vec2& to) const;
-  std::optional<Vec2> way_out(const Vec2& place) const;
+  std::optional<Vec2> way_out(const Vec2& place, double least_m) const;
   std::optional<std::vector<Vec2>> between(const Vec2& from, const Vec2& to);
 
   FreeGround ground_;
@@ -102,19 +104,20 @@ bool Ways::Domain::is_beside(const Vec2& from, const Vec2& to) const {
   return (to - from).norm() < kBeside_m && !(ground_.contains(from) && ground_.contains(to));
 }
 
-/// From within what is not crossed the straight way to the nearest place beside it; nothing where it is free.
-std::optional<Vec2> Ways::Domain::way_out(const Vec2& place) const {
+/// From this deep and more within what is not crossed the straight way to the nearest place beside it;
+/// nothing elsewhere.
+std::optional<Vec2> Ways::Domain::way_out(const Vec2& place, double least_m) const {
   if (ground_.contains(place)) return std::nullopt;
   const Vec2 border = ground_.nearest_border(place);
   const double distance = (border - place).norm();
-  if (distance < detail::kTouch_m) return std::nullopt;
+  if (distance < least_m) return std::nullopt;
   return Vec2(border + (border - place) * (kOut_m / distance));
 }
 
-std::optional<std::vector<Vec2>> Ways::Domain::corners(const Vec2& from, const Vec2& to) {
+std::optional<std::vector<Vec2>> Ways::Domain::corners(const Vec2& from, const Vec2& to, double least_m) {
   if (is_beside(from, to)) return std::vector<Vec2>();
-  const std::optional<Vec2> out_of = way_out(from);
-  const std::optional<Vec2> into = way_out(to);
+  const std::optional<Vec2> out_of = way_out(from, least_m);
+  const std::optional<Vec2> into = way_out(to, least_m);
   auto found = between(out_of.value_or(from), into.value_or(to));
   if (!found) return found;
   if (out_of) found->insert(found->begin(), *out_of);
@@ -204,14 +207,18 @@ std::optional<std::vector<Vec2>> Ways::find(const Vec2& from, const Vec2& to) co
   std::optional<std::vector<Vec2>> best;
   double least_m = std::numeric_limits<double>::infinity();
   for (Domain* room : common_rooms(from, to)) {
-    auto corners = room->corners(from, to);
+    auto corners = room->corners(from, to, detail::kTouch_m);
     if (!corners) continue;
     const double length = length_m(from, *corners, to);
     if (length >= least_m) continue;
     least_m = length;
     best = std::move(corners);
   }
-  return best ? best : open_ground(from, to)->corners(from, to);
+  if (best) return best;
+  Domain* open = open_ground(from, to);
+  best = open->corners(from, to, detail::kTouch_m);
+  // A hair's breadth within, nothing is free along the border.
+  return best ? best : open->corners(from, to, kHair_m);
 }
 
 std::optional<std::vector<Vec2>> Ways::corners(const Vec2& from, const Vec2& to) const {

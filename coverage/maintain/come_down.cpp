@@ -17,6 +17,15 @@ constexpr double kHasteShare = 0.5;
 constexpr std::array kRings_m{3.0, 6.0, 12.0, 24.0, 48.0};
 constexpr int kDirections = 16;
 
+FlightCost straight_over(const FlightModel& flight, std::span<const Leg> legs, Vec3 at_m) {
+  FlightCost out;
+  for (const Leg& leg : legs) {
+    out += flight.level(at_m, leg.entry_m) + flight.level(leg.entry_m, leg.exit_m);
+    at_m = leg.exit_m;
+  }
+  return out;
+}
+
 }  // namespace
 
 /// Down as soon as it can be, whatever else might be had.
@@ -105,6 +114,9 @@ void PlanKeeper::land_at_once(std::vector<Leg> legs, std::size_t before_landing,
     leg.start_s = air.time_s + down.time_s;
     leg.energy_before = std::max(0.0, air.energy - down.energy);
     down = flight_over(std::span(legs).first(i + 1), air);
+    // Under way already, it gets there whether a way is known or not.
+    if (down.energy >= kBarred.energy)
+      down = straight_over(flight, std::span(legs).first(i + 1), air.position_m);
     leg.end_s = air.time_s + down.time_s;
     leg.energy_after = std::max(0.0, air.energy - down.energy);
     leg.transfer = i + 1 < before_landing ? Transfer::kFF

@@ -299,5 +299,24 @@ TEST(Ways, LeadOutOfANoFlyAreaByTheNearestBorder) {
   EXPECT_NEAR((corners->back() - Vec2(60, 40)).norm(), 0.0, 0.05);
 }
 
+/// However little within: along the border nothing is free then.
+TEST(Ways, LeadOutFromAHairsBreadthWithin) {
+  const Vec2 along = Vec2(1.0, 0.0031).normalized();
+  const Vec2 up(-along.y(), along.x());
+  const auto at = [&](double x, double y) -> Vec2 { return Vec2(30.0, 30.0) + x * along + y * up; };
+  const std::vector<Polygon> no_fly = {{{at(0, 0), at(14, 0), at(14, 14), at(0, 14)}, {}}};
+  const Ways ways({}, no_fly);
+  for (const double depth_m : {1e-7, 1e-5, 1e-3, 2e-3, 2.4e-3, 2.6e-3, 1e-2, 0.1}) {
+    for (const Vec2& place : {at(5.0, depth_m), at(14.0 - depth_m, 5.0), at(5.0, 14.0 - depth_m)}) {
+      for (const Vec2& other : {at(-20.0, 0.0), at(40.0, 0.001), at(7.0, 30.0), at(7.0, -20.0)}) {
+        const auto out = ways.corners(place, other);
+        ASSERT_TRUE(out.has_value()) << depth_m;
+        EXPECT_EQ(ways.corners(other, place).has_value(), true) << depth_m;
+        EXPECT_LE(out->size(), 4U);
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace swallowtail::coverage

@@ -112,6 +112,28 @@ TEST(Landing, AtOnceIsWhereItIsIfTheEnergyDoesForNothingElse) {
   EXPECT_EQ(plan.legs[plan.legs_done].transfer, Transfer::kEnd);
 }
 
+/// Wherever it is: a plan without end could not be told to anybody.
+TEST(Landing, AtOnceTakesNoEndlessTimeWhereNoWayIsKnown) {
+  Task task = field_task();
+  task.no_fly.push_back(
+      {{{300, 0}, {340, 0}, {340, 40}, {300, 40}}, {{{310, 10}, {310, 30}, {330, 30}, {330, 10}}}});
+  PlanKeeper keeper = keeper_of(task);
+  keeper.on_vehicle({.position_m = task.start_m});
+  keeper.on_battery({0.0, task.battery.capacity});
+  AircraftView astray = on_leg(keeper.plan(), 0, 0.0);
+  for (int step = 0; step < 20; ++step) {
+    astray.time_s += 0.1;
+    astray.position_m = Vec3(312.0 + 0.8 * step, 20.0, 20.0);
+    astray.velocity_mps = Vec3(8.0, 0.0, 0.0);
+    keeper.on_vehicle(astray);
+  }
+  ASSERT_TRUE(keeper.on_battery({astray.time_s, task.battery.reserve + 12.0}));
+  EXPECT_NE(keeper.plan().reason.find("lands at once"), std::string::npos) << keeper.plan().reason;
+  for (const Leg& leg : keeper.plan().legs) EXPECT_LT(leg.end_s, 1e5);
+  for (const Rendezvous& meeting : keeper.plan().rendezvous) EXPECT_LT(meeting.depart_s, 1e5);
+  EXPECT_LT(keeper.plan().end_s, 1e5);
+}
+
 /// The last word is why it stays, however long the robot waits for it elsewhere.
 TEST(Landing, WhereTheRobotHasNoWayToIsSaidForGood) {
   Task task = field_task();
