@@ -127,6 +127,15 @@ TEST(Landing, AtOnceTakesNoEndlessTimeWhereNoWayIsKnown) {
     astray.velocity_mps = Vec3(8.0, 0.0, 0.0);
     keeper.on_vehicle(astray);
   }
+  const Leg first = keeper.plan().legs.front();
+  const Vec3 below(first.exit_m.x(), first.exit_m.y(), 0.0);
+  using planner::Phase;
+  keeper.on_path({.coverage_revision = keeper.plan().revision,
+                  .lands = true,
+                  .waypoints = {{astray.time_s, astray.position_m, Phase::kTransfer, 0},
+                                {astray.time_s + 0.5, first.entry_m, Phase::kTransfer, 0},
+                                {astray.time_s + 30.0, first.exit_m, Phase::kCover, 0},
+                                {astray.time_s + 40.0, below, Phase::kLanding, 0}}});
   ASSERT_TRUE(keeper.on_battery({astray.time_s, task.battery.reserve + 12.0}));
   EXPECT_NE(keeper.plan().reason.find("lands at once"), std::string::npos) << keeper.plan().reason;
   for (const Leg& leg : keeper.plan().legs) EXPECT_LT(leg.end_s, 1e5);
