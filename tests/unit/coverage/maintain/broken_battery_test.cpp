@@ -4,6 +4,7 @@
 
 #include "coverage/maintain/plan_keeper.hpp"
 #include "planner/base/rng.hpp"
+#include "tests/unit/coverage/maintain/on_leg.hpp"
 
 /// A battery state that breaks the plan: whatever it holds, all that is left is planned anew.
 namespace swallowtail::coverage {
@@ -26,26 +27,6 @@ Task random_task(Rng& rng) {
   task.start_m = Vec3(-10.0, -10.0, 0.0);
   task.charger.start_m = task.start_m;
   return task;
-}
-
-double cover_m(const LivePlan& plan, std::size_t first) {
-  double out = 0.0;
-  for (std::size_t i = first; i < plan.legs.size(); ++i) {
-    if (plan.legs[i].kind == LegKind::kCover) out += (plan.legs[i].exit_m - plan.legs[i].entry_m).norm();
-  }
-  return out;
-}
-
-AircraftView on_leg(const LivePlan& plan, std::size_t leg, double share, double speed_mps) {
-  const Leg& at = plan.legs[leg];
-  AircraftView view;
-  view.time_s = at.start_s + share * (at.end_s - at.start_s);
-  view.position_m = at.entry_m + share * (at.exit_m - at.entry_m);
-  view.velocity_mps = speed_mps * (at.exit_m - at.entry_m).normalized();
-  view.mode = AircraftMode::kFlying;
-  view.leg_index = leg;
-  view.legs_done = leg;
-  return view;
 }
 
 /// The lowest energy that a landing planned after a state of flight leaves.

@@ -5,6 +5,7 @@
 
 #include "charger/charging/charging.hpp"
 #include "coverage/maintain/plan_keeper.hpp"
+#include "tests/unit/coverage/maintain/on_leg.hpp"
 
 /// Where the aircraft comes down, and whether the robot comes there.
 namespace swallowtail::coverage {
@@ -37,18 +38,6 @@ Task field_task() {
 
 PlanKeeper keeper_of(const Task& task) {
   return std::move(PlanKeeper::make(task, planner::Terrain::flat(0.0), {})).value();
-}
-
-AircraftView on_leg(const LivePlan& plan, std::size_t leg, double share) {
-  AircraftView view;
-  const Leg& at = plan.legs[leg];
-  view.time_s = at.start_s + share * (at.end_s - at.start_s);
-  view.position_m = at.entry_m + share * (at.exit_m - at.entry_m);
-  view.velocity_mps = 8.0 * (at.exit_m - at.entry_m).normalized();
-  view.mode = AircraftMode::kFlying;
-  view.leg_index = leg;
-  view.legs_done = leg;
-  return view;
 }
 
 /// Flown to its first landing; set down so far east of it, a while ago.

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tests/unit/coverage/maintain/on_leg.hpp"
+
 namespace swallowtail::coverage {
 namespace {
 
@@ -45,19 +47,6 @@ double flown_within_hole_m(const LivePlan& plan, std::size_t first) {
     out += within_hole_m(at, plan.legs[i + 1].entry_m);
   }
   return out;
-}
-
-/// On a leg, this share of it flown.
-AircraftView on_leg(const LivePlan& plan, std::size_t leg, double share) {
-  AircraftView view;
-  const Leg& at = plan.legs[leg];
-  view.time_s = at.start_s + share * (at.end_s - at.start_s);
-  view.position_m = at.entry_m + share * (at.exit_m - at.entry_m);
-  view.velocity_mps = 8.0 * (at.exit_m - at.entry_m).normalized();
-  view.mode = AircraftMode::kFlying;
-  view.leg_index = leg;
-  view.legs_done = leg;
-  return view;
 }
 
 class Keeper : public testing::Test {

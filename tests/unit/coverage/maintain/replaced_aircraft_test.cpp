@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "coverage/maintain/plan_keeper.hpp"
+#include "tests/unit/coverage/maintain/on_leg.hpp"
 
 /// Another aircraft in the middle of a mission, and another keeper.
 namespace swallowtail::coverage {
@@ -22,26 +23,6 @@ Task square_task() {
   task.start_m = kStart_m;
   task.charger.start_m = kStart_m;
   return task;
-}
-
-AircraftView on_leg(const LivePlan& plan, std::size_t leg, double share) {
-  const Leg& at = plan.legs[leg];
-  AircraftView view;
-  view.time_s = at.start_s + share * (at.end_s - at.start_s);
-  view.position_m = at.entry_m + share * (at.exit_m - at.entry_m);
-  view.velocity_mps = 8.0 * (at.exit_m - at.entry_m).normalized();
-  view.mode = AircraftMode::kFlying;
-  view.leg_index = leg;
-  view.legs_done = leg;
-  return view;
-}
-
-double cover_m(const LivePlan& plan, std::size_t first) {
-  double out = 0.0;
-  for (std::size_t i = first; i < plan.legs.size(); ++i) {
-    if (plan.legs[i].kind == LegKind::kCover) out += (plan.legs[i].exit_m - plan.legs[i].entry_m).norm();
-  }
-  return out;
 }
 
 class Replaced : public testing::Test {
