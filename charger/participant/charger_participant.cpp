@@ -1,5 +1,6 @@
 #include "charger/participant/charger_participant.hpp"
 
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -10,6 +11,8 @@ namespace {
 
 /// A mission time this far behind the robot's own is a new mission.
 constexpr double kRestart_s = 5.0;
+/// A battery that has not told of itself for so long has been exchanged.
+constexpr double kHeard_s = 5.0;
 
 }  // namespace
 
@@ -68,11 +71,15 @@ Status ChargerParticipant::subscribe() {
   return bus_.subscribe<data::BatteryState>(
       {.on_sample = [inbox, bus, is_stranger](const data::BatteryState& state) {
         if (is_stranger(state.vehicle_id)) return bus->count_rejection("BatteryState", "unknown vehicle");
-        // A battery does not grow: what tells of another capacity is not our aircraft's.
         if (state.time_s < inbox->since_s.load()) return;
-        double known = 0.0;
-        if (!inbox->capacity.compare_exchange_strong(known, state.capacity) && state.capacity != known)
+        // A battery does not grow: what tells of another capacity is not our aircraft's, as long as ours
+        // tells of itself.
+        const double known = inbox->capacity.load();
+        const bool is_other = known != 0.0 && state.capacity != known;
+        if (is_other && std::abs(state.time_s - inbox->heard_s.load()) <= kHeard_s)
           return bus->count_rejection("BatteryState", "another capacity");
+        inbox->capacity.store(state.capacity);
+        inbox->heard_s.store(state.time_s);
         inbox->battery.put(state);
       }});
 }

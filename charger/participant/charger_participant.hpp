@@ -51,6 +51,7 @@ class ChargerParticipant {
     Mailbox<data::BatteryState> battery;
     std::atomic<std::uint32_t> vehicle_id{0};  ///< of the plan; 0: not known yet
     std::atomic<double> capacity{0.0};         ///< of its battery; 0: not known yet
+    std::atomic<double> heard_s{0.0};          ///< mission time of its newest state
     std::atomic<std::uint32_t> legs_done{0};
     std::atomic<double> since_s{0.0};  ///< that this aircraft flies: older states of a battery are another's
   };

@@ -10,6 +10,8 @@
 namespace swallowtail::coverage {
 namespace {
 
+constexpr std::size_t kMostBegins = 16;
+
 std::vector<Vec3> bends(const FlightModel& model, const Vec3& from, const Vec3& to) {
   const std::vector<Vec3> way = model.way(from, to);
   return {way.begin() + 1, way.end() - 1};
@@ -55,6 +57,17 @@ std::optional<RestPlan> plan_behind_begun(const Rest& rest, const ScheduleStart&
   return out;
 }
 
+/// With which of the legs that are free to begin, one after the other until the rest can be flown; from the
+/// air with the first only.
+std::vector<std::size_t> begins(const Rest& rest, StartKind start) {
+  const std::size_t free = rest.legs.size() - std::min(rest.fixed, rest.legs.size());
+  const std::size_t most = start == StartKind::kAir ? 1 : kMostBegins;
+  const std::size_t step = std::max<std::size_t>(1, (free + most - 1) / most);
+  std::vector<std::size_t> out{0};
+  for (std::size_t begin = step; begin < free && out.size() < most; begin += step) out.push_back(begin);
+  return out;
+}
+
 }  // namespace
 
 std::optional<RestPlan> plan_rest(const Rest& rest, const ScheduleStart& start, std::size_t first_index,
@@ -73,17 +86,26 @@ std::optional<RestPlan> plan_rest(const Rest& rest, const ScheduleStart& start, 
   }
   LinkCache links(model, params.stops.charger);
   StopPlanner stops(links, params.stops);
-  if (params.schedules > 0) {
-    ImproveParams improve;
-    improve.stops = params.stops;
-    improve.stop = params.stop;
-    improve.stop.max_evaluations = std::min(improve.stop.max_evaluations, params.schedules);
-    improve.first_free = rest.fixed;
-    visits = improve_order(cells, std::move(visits), start, links, improve).visits;
+  std::optional<StopPlan> schedule;
+  for (const std::size_t begin : begins(rest, start.kind)) {
+    std::vector<Visit> turned = visits;
+    const auto free = turned.begin() + static_cast<std::ptrdiff_t>(std::min(rest.fixed, turned.size()));
+    std::rotate(free, free + static_cast<std::ptrdiff_t>(begin), turned.end());
+    if (params.schedules > 0) {
+      ImproveParams improve;
+      improve.stops = params.stops;
+      improve.stop = params.stop;
+      improve.stop.max_evaluations = std::min(improve.stop.max_evaluations, params.schedules);
+      improve.first_free = rest.fixed;
+      turned = improve_order(cells, std::move(turned), start, links, improve).visits;
+    }
+    std::vector<RouteLeg> route;
+    for (const Visit& visit : turned) route.push_back(route_leg(cells[visit.sub_cell], visit));
+    schedule = stops.plan(route, start);
+    if (!schedule) continue;
+    visits = std::move(turned);
+    break;
   }
-  std::vector<RouteLeg> route;
-  for (const Visit& visit : visits) route.push_back(route_leg(cells[visit.sub_cell], visit));
-  const std::optional<StopPlan> schedule = stops.plan(route, start);
   if (!schedule) return std::nullopt;
   Expansion expansion = expand(cells, visits, start, *schedule, links, first_index);
   RestPlan out;

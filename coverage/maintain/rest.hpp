@@ -33,8 +33,9 @@ struct RestPlan {
   double end_s = 0.0;
 };
 
-/// Schedules the rest from a state in the middle of the mission, warm: the given order, improved. Nothing
-/// when even that cannot be flown with the reserve kept.
+/// Schedules the rest from a state in the middle of the mission, warm: the given order, improved; from the
+/// ground begun farther on where it cannot be flown as it is. Nothing when even that cannot be flown with the
+/// reserve kept.
 std::optional<RestPlan> plan_rest(const Rest& rest, const ScheduleStart& start, std::size_t first_index,
                                   const FlightModel& model, const RestParams& params);
 

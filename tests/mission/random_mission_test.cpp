@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <variant>
 
 #include "tests/mission/random_mission.hpp"
 
@@ -36,6 +37,16 @@ void check_reserve(const MissionEnd& end) {
   }
 }
 
+/// Than what the first plan was made with, or one that lasts less long.
+bool has_weak_battery(const RandomMission& mission) {
+  const double planned = mission.scenario.coverage->battery.capacity;
+  return mission.consumption > 1.0 || mission.capacity_share < 1.0 || mission.scenario.wind.speed_mps > 0.0 ||
+         std::ranges::any_of(mission.scenario.events, [planned](const planner::Event& event) {
+           const auto* other = std::get_if<planner::AircraftReplaced>(&event.what);
+           return other != nullptr && other->capacity.value_or(planned) < planned;
+         });
+}
+
 /// A mission that did not complete says what hindered it, and that did happen.
 void check_reason(const RandomMission& mission, const MissionEnd& end) {
   const std::string status = end.summary["status"];
@@ -47,6 +58,10 @@ void check_reason(const RandomMission& mission, const MissionEnd& end) {
   if (says(end, "no way to where the aircraft landed")) {
     const auto& at = end.summary["position"];
     EXPECT_TRUE(mission.is_closed && mission.is_closed(Vec2(at[0], at[1]))) << status;
+    return;
+  }
+  if (says(end, "energy of a full battery does not reach")) {
+    EXPECT_TRUE(has_weak_battery(mission)) << "the first plan could be flown: " << status;
     return;
   }
   if (status.find("waited in vain") != std::string::npos && says(end, "robot's battery holds")) {
@@ -69,42 +84,54 @@ void check_reason(const RandomMission& mission, const MissionEnd& end) {
   EXPECT_TRUE(says(end, "energy") || says(end, "battery")) << "no reason: " << status;
 }
 
-TEST(RandomMission, KeepsItsReserveAndEndsCompletedOrWithATrueReason) {
-  const std::uint64_t first = number_of("SWALLOWTAIL_FIRST_MISSION", 1);
-  const std::uint64_t missions = number_of("SWALLOWTAIL_MISSIONS", 20);
+struct Tally {
   std::uint64_t completed = 0;
   std::uint64_t doomed = 0;
   int refills = 0;
-  for (std::uint64_t seed = first; seed < first + missions; ++seed) {
-    const RandomMission mission = random_mission(seed, testing::TempDir() + "swallowtail_random_missions");
-    const MissionEnd end = fly(mission);
-    SCOPED_TRACE("SWALLOWTAIL_FIRST_MISSION=" + std::to_string(seed) + " " + mission.faults +
-                 end.summary.dump() + " plan: " + end.plan.reason + "; coverage: " + end.health);
-    check_reserve(end);
-    doomed += end.breaches.empty() ? 0 : 1;
-    const double covered = end.summary["covered_percent"];
-    const std::size_t legs_done = end.summary["legs_done"];
-    EXPECT_GE(covered, claimed_percent(mission, end.plan, legs_done) - kClaimTolerance);
-    EXPECT_EQ(end.summary["collisions"], 0);
-    EXPECT_EQ(end.summary["violations"], 0);
-    for (const std::string& fault : end.robot_faults) ADD_FAILURE() << fault;
-    for (const std::string& failure : end.failures) ADD_FAILURE() << failure;
-    refills += end.refills;
-    if (end.summary["completed"].get<bool>()) {
-      ++completed;
-      EXPECT_GE(covered, kCompletePercent);
-      EXPECT_EQ(end.summary["legs_done"], end.summary["legs_total"]);
-    } else {
-      check_reason(mission, end);
-    }
-  }
-  RecordProperty("completed", static_cast<int>(completed));
-  RecordProperty("below_reserve_unavoidably", static_cast<int>(doomed));
-  RecordProperty("refills", refills);
+};
+
+void fly_and_judge(std::uint64_t seed, Tally& tally) {
+  const RandomMission mission = random_mission(seed, testing::TempDir() + "swallowtail_random_missions");
+  const MissionEnd end = fly(mission);
+  SCOPED_TRACE("SWALLOWTAIL_FIRST_MISSION=" + std::to_string(seed) + " " + mission.faults +
+               end.summary.dump() + " plan: " + end.plan.reason + "; coverage: " + end.health);
+  check_reserve(end);
+  tally.doomed += end.breaches.empty() ? 0 : 1;
+  const double covered = end.summary["covered_percent"];
+  const std::size_t legs_done = end.summary["legs_done"];
+  EXPECT_GE(covered, claimed_percent(mission, end.plan, legs_done) - kClaimTolerance);
+  EXPECT_EQ(end.summary["collisions"], 0);
+  EXPECT_EQ(end.summary["violations"], 0);
+  for (const std::string& fault : end.robot_faults) ADD_FAILURE() << fault;
+  for (const std::string& failure : end.failures) ADD_FAILURE() << failure;
+  tally.refills += end.refills;
+  if (!end.summary["completed"].get<bool>()) return check_reason(mission, end);
+  ++tally.completed;
+  EXPECT_GE(covered, kCompletePercent);
+  EXPECT_EQ(end.summary["legs_done"], end.summary["legs_total"]);
+}
+
+TEST(RandomMission, KeepsItsReserveAndEndsCompletedOrWithATrueReason) {
+  const std::uint64_t first = number_of("SWALLOWTAIL_FIRST_MISSION", 1);
+  const std::uint64_t missions = number_of("SWALLOWTAIL_MISSIONS", 20);
+  Tally tally;
+  for (std::uint64_t seed = first; seed < first + missions; ++seed) fly_and_judge(seed, tally);
+  RecordProperty("completed", static_cast<int>(tally.completed));
+  RecordProperty("below_reserve_unavoidably", static_cast<int>(tally.doomed));
+  RecordProperty("refills", tally.refills);
   if (missions >= 20) {
-    EXPECT_GT(refills, 0);
-    EXPECT_GT(completed, missions / 2);
+    EXPECT_GT(tally.refills, 0);
+    EXPECT_GT(tally.completed, missions / 2);
   }
+}
+
+/// What each of these found is mended: an obstacle that turned, robots that waited a metre away, ways over a
+/// no-fly area, strips passed over, plans without end, a battery never charged, orders not tried.
+TEST(RandomMission, StaysMendedWhereItOnceWentWrong) {
+  Tally tally;
+  for (const std::uint64_t seed :
+       {61, 4151, 4611, 6052, 6399, 6547, 7004, 7150, 8012, 8843, 9813, 12808, 13261})
+    fly_and_judge(seed, tally);
 }
 
 }  // namespace

@@ -138,6 +138,19 @@ TEST_F(ChargerParticipantTest, RefusesABatteryOfAnotherCapacity) {
   EXPECT_EQ(rejections("another capacity"), 1u);
 }
 
+/// Before it has flown a leg nothing else tells that the aircraft is another one.
+TEST_F(ChargerParticipantTest, TakesAnotherCapacityOnceTheOneBeforeIsSilent) {
+  ASSERT_TRUE(plans_->publish(plan_to({90, 0, 0})));
+  run(0.1);
+  ASSERT_TRUE(batteries_->publish({.vehicle_id = 5, .time_s = 10, .energy = 40, .capacity = 100}));
+  ASSERT_TRUE(batteries_->publish({.vehicle_id = 5, .time_s = 12, .energy = 30, .capacity = 80}));
+  EXPECT_EQ(rejections("another capacity"), 1u);
+  ASSERT_TRUE(batteries_->publish({.vehicle_id = 5, .time_s = 15.5, .energy = 30, .capacity = 80}));
+  EXPECT_EQ(rejections("another capacity"), 1u);
+  ASSERT_TRUE(batteries_->publish({.vehicle_id = 5, .time_s = 16, .energy = 40, .capacity = 100}));
+  EXPECT_EQ(rejections("another capacity"), 2u);
+}
+
 TEST_F(ChargerParticipantTest, AnotherAircraftHasABatteryOfItsOwn) {
   ASSERT_TRUE(plans_->publish(plan_to({90, 0, 0})));
   run(0.1);
