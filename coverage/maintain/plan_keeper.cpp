@@ -216,6 +216,7 @@ bool PlanKeeper::on_vehicle(const AircraftView& vehicle) {
     solved_slack_.reset();
     lands_at_once_ = false;
     told_overdue_.clear();
+    promised_s_.reset();
     told_no_plan_ = false;
     told_short_ = false;
     follow_progress(before, vehicle);
@@ -302,7 +303,8 @@ bool PlanKeeper::on_robot(const RobotView& robot) {
   next.land_s = land_s;
   next.arrive_by_s = land_s;
   next.wait_s = std::max(0.0, next.robot_arrives_s - land_s);
-  note_revision("times: the robot is " + std::to_string(std::lround(late)) + " s late");
+  if (!promised_s_) promised_s_ = arrives - late;
+  note_revision("times: the robot is " + std::to_string(std::lround(arrives - *promised_s_)) + " s late");
   return true;
 }
 

@@ -236,8 +236,9 @@ class PlanKeeper {
   bool told_stranded_ = false;  ///< since the robot had energy
   std::string no_plan_;         ///< why the last solution failed
   double last_shift_s_ = -1e9;
-  double robot_reviewed_s_ = -1e9;  ///< when its energy was looked at last
-  double retry_s_ = -1e9;           ///< a solution that failed is not tried again before
+  std::optional<double> promised_s_;  ///< when the robot, now late, was to be at the next meeting
+  double robot_reviewed_s_ = -1e9;    ///< when its energy was looked at last
+  double retry_s_ = -1e9;             ///< a solution that failed is not tried again before
   bool has_flown_ = false;
   Consumption consumption_;
   bool all_aloft_ = false;  ///< since the last battery sample

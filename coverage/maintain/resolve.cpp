@@ -153,6 +153,7 @@ void PlanKeeper::adopt(RestPlan rest, const std::string& reason) {
   plan_.end_s = rest.end_s;
   gaps_.clear();
   told_no_plan_ = false;
+  promised_s_.reset();
   note_revision(reason);
 }
 

@@ -72,6 +72,23 @@ TEST_F(LimitedRobot, LessEnergyThanPlannedBringsATripAndLaterTimes) {
   }
 }
 
+/// However often it is told, it is counted from when the robot was to be there.
+TEST_F(LimitedRobot, HowLateItIsAddsUp) {
+  AircraftView landed;
+  const Rendezvous meeting = keeper_->plan().rendezvous.front();
+  keeper_->on_vehicle({.position_m = kDepot_m});
+  landed.time_s = meeting.land_s;
+  landed.position_m = meeting.site_m;
+  landed.legs_done = legs_before(meeting.id);
+  keeper_->on_vehicle(landed);
+  const double drive_s = (meeting.site_m - kDepot_m).head<2>().norm() / limited_task().charger.speed_mps;
+  for (const double stood_s : {20.0, 50.0, 80.0, 110.0})
+    ASSERT_TRUE(tell(meeting.land_s + stood_s, kDepot_m, 400.0)) << stood_s;
+  const double there_s = std::max(meeting.land_s, meeting.robot_arrives_s);
+  const long late_s = std::lround(meeting.land_s + 110.0 + drive_s - there_s);
+  EXPECT_EQ(keeper_->plan().reason, "times: the robot is " + std::to_string(late_s) + " s late");
+}
+
 TEST_F(LimitedRobot, ARefillEndsTheTrip) {
   tell(0.0, kDepot_m, 400.0);
   ASSERT_TRUE(tell(6.0, {8.0, 0.0, 0.0}, 60.0));
