@@ -4,9 +4,11 @@
 #include <limits>
 #include <numbers>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
+#include "planner/participant/no_drive.hpp"
 #include "planner/participant/planner_participant.hpp"
 #include "planner/path/certifier.hpp"
 
@@ -22,28 +24,35 @@ Vec3 ground_below(const Vec3& p, const Terrain& terrain) {
 }
 
 /// Of the nearest places at or around the end of a route where the aircraft can come down then, the one with
-/// the most clearance: the route, and down there.
+/// the most clearance: the route, and down there. Where the robot may come is preferred to what is nearer.
 std::optional<std::vector<RoutePoint>> down_near(const ReplanRequest& request,
                                                  const std::vector<RoutePoint>& route,
-                                                 const ClearanceQuery& query, const VehicleLimits& limits) {
+                                                 const ClearanceQuery& query, const VehicleLimits& limits,
+                                                 std::span<const Area> no_drive) {
   const RoutePoint& end = route.back();
   std::optional<std::vector<RoutePoint>> best;
+  bool is_best_open = false;
   double most_m = -1.0;
   for (const double ring : kRings) {
+    const bool has_nearer = best.has_value();
     for (int k = 0; k < (ring == 0.0 ? 1 : kDirections); ++k) {
       const double angle = 2.0 * std::numbers::pi * k / kDirections;
       const Vec3 aside = ring * limits.clearance_m() * Vec3(std::cos(angle), std::sin(angle), 0.0);
-      std::vector<RoutePoint> down = route;
       const Vec3 above = end.position_m + aside;
+      const bool is_open = !is_in_or_near(no_drive, above.head<2>());
+      if (is_best_open ? !is_open : has_nearer && !is_open) continue;
+      std::vector<RoutePoint> down = route;
       down.push_back({above, Phase::kTransfer, end.leg_index, 0.0});
       down.push_back({ground_below(above, query.world().terrain()), Phase::kLanding, end.leg_index, 0.0});
       const Certificate certificate =
           certify(time_route(request.start_m, request.start_time_s, down, limits), query, limits);
-      if (!certificate.certified || certificate.clearance_min_m <= most_m) continue;
+      const bool is_better = is_open != is_best_open || certificate.clearance_min_m > most_m;
+      if (!certificate.certified || !is_better) continue;
+      is_best_open = is_open;
       most_m = certificate.clearance_min_m;
       best = std::move(down);
     }
-    if (best) break;
+    if (is_best_open) break;
   }
   return best;
 }
@@ -112,7 +121,7 @@ ReplanReport PlannerParticipant::land_near(ReplanRequest request, ReplanReport f
   if (!found.lands) route = flown_to_hold(found.path);
   if (route.empty())
     route.push_back({request.start_m, Phase::kTransfer, request.route.back().leg_index, kStopToTurn_s});
-  auto down_there = down_near(request, route, ClearanceQuery(world), limits_);
+  auto down_there = down_near(request, route, ClearanceQuery(world), limits_, no_drive_);
   if (!down_there) return found;
   request.route = std::move(*down_there);
   ReplanReport down = replanner_->plan(world, request, search_limit());

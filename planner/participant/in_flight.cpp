@@ -75,7 +75,7 @@ Status PlannerParticipant::replan(double now_s) {
     world = keeper_.world_without_turns();
     found = plan_from_air(now_s, lead, world);
     if (found->verdict == Verdict::kCertified) found->verdict = Verdict::kContingency;
-    found->reason += ", no margin for turns";
+    if (found->verdict == Verdict::kContingency) found->reason += ", no margin for turns";
   }
   if (!found) return {};
   retry_wall_s_ = clock_.now_s() + kRetryWall_s;

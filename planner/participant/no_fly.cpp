@@ -19,21 +19,6 @@ std::vector<Vec2> points_of(const data::CoverageTask& task, const data::Ring& ri
   return out;
 }
 
-std::vector<Area> no_fly_areas(const data::CoverageTask& task) {
-  std::vector<Area> areas;
-  for (const data::Ring& ring : task.rings) {
-    if (ring.kind != data::AreaKind::kNoFly) continue;
-    if (ring.area_index >= areas.size()) areas.resize(ring.area_index + 1);
-    Area& area = areas[ring.area_index];
-    if (ring.is_hole) {
-      area.holes.push_back(points_of(task, ring));
-    } else {
-      area.outline = points_of(task, ring);
-    }
-  }
-  return areas;
-}
-
 bool is_wide(const std::vector<Vec2>& outline) {
   Vec2 lo = outline.front();
   Vec2 hi = lo;
@@ -46,9 +31,24 @@ bool is_wide(const std::vector<Vec2>& outline) {
 
 }  // namespace
 
+std::vector<Area> areas_of(const data::CoverageTask& task, data::AreaKind kind) {
+  std::vector<Area> areas;
+  for (const data::Ring& ring : task.rings) {
+    if (ring.kind != kind) continue;
+    if (ring.area_index >= areas.size()) areas.resize(ring.area_index + 1);
+    Area& area = areas[ring.area_index];
+    if (ring.is_hole) {
+      area.holes.push_back(points_of(task, ring));
+    } else {
+      area.outline = points_of(task, ring);
+    }
+  }
+  return areas;
+}
+
 Result<std::vector<std::vector<Vec2>>> no_fly_parts(const data::CoverageTask& task) {
   std::vector<std::vector<Vec2>> out;
-  const std::vector<Area> areas = no_fly_areas(task);
+  const std::vector<Area> areas = areas_of(task, data::AreaKind::kNoFly);
   for (std::size_t i = 0; i < areas.size(); ++i) {
     const std::string name = "No-fly area " + std::to_string(i);
     if (is_wide(areas[i].outline)) return bad_input(name + " is wider than 100 km.");

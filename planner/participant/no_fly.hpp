@@ -5,8 +5,12 @@
 #include "idl/data/types.hpp"
 #include "planner/base/result.hpp"
 #include "planner/base/vec.hpp"
+#include "planner/world/prisms.hpp"
 
 namespace swallowtail::planner {
+
+/// The task's areas of one kind, in its order.
+std::vector<Area> areas_of(const data::CoverageTask& task, data::AreaKind kind);
 
 /// Certified paths keep so far off no-fly areas, less than coverage plans do; radius and margin of the
 /// vehicle count for nothing there, because strips end at their borders.

@@ -83,6 +83,7 @@ void PlannerParticipant::take_task(const data::CoverageTask& task) {
   use_limits(task.vehicle, task.seed);
   keeper_.set_has_terrain(task.has_terrain);
   keeper_.set_no_fly(std::move(*no_fly), std::max(0.0, limits_.clearance_m() - kOffNoFly_m));
+  no_drive_ = areas_of(task, data::AreaKind::kNoDrive);
   inbox_->charger_id.store(task.charger.charger_id);
   mission_changed_ = true;
   task_ = task;

@@ -17,6 +17,7 @@
 #include "planner/participant/sortie.hpp"
 #include "planner/participant/world_keeper.hpp"
 #include "planner/replan/replanner.hpp"
+#include "planner/world/prisms.hpp"
 #include "qos/bus.hpp"
 #include "qos/participant/mission_time.hpp"
 #include "qos/participant/status.hpp"
@@ -136,6 +137,7 @@ class PlannerParticipant {
   VehicleLimits limits_;
   std::optional<Replanner> replanner_;
   std::optional<data::CoverageTask> task_;
+  std::vector<Area> no_drive_;  ///< of the task
   std::optional<data::CoveragePlan> coverage_;
   std::optional<data::Goal> goal_;
   std::optional<data::ChargerState> charger_;

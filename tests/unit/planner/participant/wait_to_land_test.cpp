@@ -13,8 +13,9 @@ class WaitToLand : public testing::TestWithParam<double>, protected PlannerFixtu
  protected:
   /// One strip of 100 m with a landing at its end, and this much left there above the reserve. The plan's
   /// flight takes one unit per second.
-  void fly_until(double mission_s, double spare) {
-    publish(task());
+  void fly_until(double mission_s, double spare) { fly_until(mission_s, spare, task()); }
+  void fly_until(double mission_s, double spare, const data::CoverageTask& asked) {
+    publish(asked);
     data::CoveragePlan all = plan({data::Transfer::kEnd});
     data::Leg& leg = all.legs.front();
     leg.start_s = 0.0;
@@ -62,6 +63,19 @@ TEST_P(WaitToLand, IsNoneOnAStripThatEndsSoonWhereTheEnergyDoesNotLast) {
   block_landing();
   EXPECT_TRUE(lands_elsewhere()) << path().reason;
   EXPECT_LT(down_s(), 20.0);
+}
+
+/// Nearer by is a yard that the robot must not enter.
+TEST_P(WaitToLand, ComesDownWhereTheRobotMayCome) {
+  data::CoverageTask yard = task();
+  yard.points.insert(yard.points.end(), {{-8, 92}, {30, 92}, {30, 130}, {-8, 130}});
+  yard.rings.push_back({0, 4, 4, false, data::AreaKind::kNoDrive});
+  fly_until(23.0, 5.0, yard);
+  block_landing();
+  ASSERT_TRUE(path().lands) << path().reason;
+  const data::Vec3 down = path().waypoints.back().position;
+  EXPECT_TRUE(down.x_m < -11.0 || down.x_m > 33.0 || down.y_m < 89.0 || down.y_m > 133.0)
+      << down.x_m << ", " << down.y_m;
 }
 
 /// What lies far ahead may be gone by then.
