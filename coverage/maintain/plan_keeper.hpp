@@ -161,6 +161,7 @@ class PlanKeeper {
     FlightCost descent;
   };
   DownNow down_now() const;
+  double spare_to_come_down(const FlightCost& descent, const Vec3& velocity_mps, double height_m) const;
   bool is_last_chance(const FlightCost& to_landing) const;
   bool review_wait();
   std::string what_holds_it_up() const;

@@ -322,13 +322,19 @@ bool PlanKeeper::top_up_charge() {
   start.position_m = meeting.carry ? meeting.carry_to_m : meeting.site_m;
   const StopParams stops = rest_params().stops;
   const double flight = flight_to(next, start).energy;
+  // With less than lets it come down from anywhere on its way it would do so at once.
+  const Vec3& high_m = plan_.legs[plan_.legs_done].entry_m;
+  const double down = spare_to_come_down(model().landing(high_m), Vec3::Zero(), high_m.z());
   // What the plan allowed for is no news.
-  if (task_.battery.reserve + landing_spare() + flight * (1.0 + kLeastAllowance) <= meeting.charge_to)
-    return false;
-  const double needs = task_.battery.reserve + stops.spare + flight * stops.energy_factor;
+  const double least = std::max(landing_spare(), down) + flight * (1.0 + kLeastAllowance);
+  if (task_.battery.reserve + least <= meeting.charge_to) return false;
+  const double asked = task_.battery.reserve + stops.spare + flight * stops.energy_factor;
+  const double needs =
+      std::max(asked, std::min(task_.battery.capacity, asked - stops.spare + detour_energy_ + down));
   if (needs <= meeting.charge_to) return false;
   if (needs > task_.battery.capacity)
     return may_retry() && solve_docked("consumption is higher than predicted");
+  const bool is_short = asked > meeting.charge_to;
   // The sortie's consumption stays as predicted: both its ends are raised together.
   const double more = needs - meeting.charge_to;
   const std::size_t past = next != nullptr ? legs_before(next->id) : plan_.legs.size();
@@ -338,7 +344,8 @@ bool PlanKeeper::top_up_charge() {
   }
   if (next != nullptr) next->energy_from += more;
   meeting.charge_to = needs;
-  note_revision("charges more: consumption is higher than predicted");
+  note_revision(is_short ? "charges more: consumption is higher than predicted"
+                         : "charges more: enough to come down from anywhere on its way");
   return true;
 }
 

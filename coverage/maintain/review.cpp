@@ -83,13 +83,19 @@ PlanKeeper::DownNow PlanKeeper::down_now() const {
   return {flight.level(vehicle_->position_m, ahead), flight.landing(ahead)};
 }
 
+/// What a descent may take more than is known, and what is flown until the next battery state.
+double PlanKeeper::spare_to_come_down(const FlightCost& descent, const Vec3& velocity_mps,
+                                      double height_m) const {
+  return kDeviations * consumption_.upright_deviation(descent) +
+         kSampleEvery_s * model().power(velocity_mps, height_m);
+}
+
 /// Whether coming down must begin now: later the reserve might not last, and the planned landing takes more.
 bool PlanKeeper::is_last_chance(const FlightCost& to_landing) const {
   const DownNow down = down_now();
   const double energy = down.there.energy + down.descent.energy;
-  const double wait = kSampleEvery_s * model().power(vehicle_->velocity_mps, vehicle_->position_m.z());
-  const double deviation = kDeviations * consumption_.upright_deviation(down.descent);
-  if (energy_now() - energy - deviation - wait >= task_.battery.reserve) return false;
+  const double spare = spare_to_come_down(down.descent, vehicle_->velocity_mps, vehicle_->position_m.z());
+  if (energy_now() - energy - spare >= task_.battery.reserve) return false;
   if (is_held_up()) return true;
   return to_landing.energy > energy + kWorseShare * task_.battery.capacity;
 }
