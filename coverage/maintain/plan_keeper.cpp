@@ -170,10 +170,12 @@ std::optional<double> PlanKeeper::energy_at_next_landing() const {
   return energy_now() - cost->energy;
 }
 
-bool PlanKeeper::at_meeting(const Vec3& position_m) const {
+/// Where it is carried to it is only on the robot.
+bool PlanKeeper::at_meeting(const AircraftView& vehicle) const {
   return std::any_of(plan_.rendezvous.begin(), plan_.rendezvous.end(), [&](const Rendezvous& meeting) {
-    return flat_distance(meeting.site_m, position_m) < kAtSite_m ||
-           (meeting.carry && flat_distance(meeting.carry_to_m, position_m) < kAtSite_m);
+    return flat_distance(meeting.site_m, vehicle.position_m) < kAtSite_m ||
+           (meeting.carry && vehicle.mode == AircraftMode::kDocked &&
+            flat_distance(meeting.carry_to_m, vehicle.position_m) < kAtSite_m);
   });
 }
 
@@ -209,7 +211,7 @@ bool PlanKeeper::on_vehicle(const AircraftView& vehicle) {
     const bool times_off =
         !plan_.rendezvous.empty() && has_flown_ &&
         std::abs(vehicle.time_s - plan_.rendezvous.front().depart_s) > params_.time_tolerance_s &&
-        at_meeting(before->position_m);
+        at_meeting(*before);
     const double late = times_off ? vehicle.time_s - plan_.rendezvous.front().depart_s : 0.0;
     pass_meeting(before->position_m);
     has_flown_ = true;
@@ -230,7 +232,7 @@ bool PlanKeeper::on_vehicle(const AircraftView& vehicle) {
   }
   if (before && !before->on_ground() && vehicle.on_ground()) {
     landed_since_s_ = vehicle.time_s;
-    if (!lands_at_once_ && at_meeting(vehicle.position_m)) detour_energy_ = 0.0;
+    if (!lands_at_once_ && at_meeting(vehicle)) detour_energy_ = 0.0;
   }
   follow_progress(before, vehicle);
   if (!vehicle.on_ground()) return tell_given_up(review_gaps());
@@ -296,7 +298,9 @@ bool PlanKeeper::on_robot(const RobotView& robot) {
                                        : drive_s(task_.charger, robot.position_m, next.site_m);
   const double arrives = robot.time_s + there_s;
   const double late = arrives - std::max(next.land_s, next.robot_arrives_s);
-  if (late < params_.time_tolerance_s || robot.time_s < last_shift_s_ + kShiftEvery_s) return false;
+  // Where no way is known from where it is, it may still be on one.
+  if (!std::isfinite(late) || late < params_.time_tolerance_s || robot.time_s < last_shift_s_ + kShiftEvery_s)
+    return false;
   last_shift_s_ = robot.time_s;
   const double land_s = next.land_s;
   shift_times(plan_, legs_before(next.id), late);

@@ -202,7 +202,7 @@ class PlanKeeper {
   bool replace_aircraft(const AircraftView& vehicle);
   bool begin_anew(const AircraftView& vehicle, const std::string& reason);
   Status take_cells(const std::vector<SubCell>& cells);
-  bool at_meeting(const Vec3& position_m) const;
+  bool at_meeting(const AircraftView& vehicle) const;
 
   Task task_;
   double capacity_as_asked_;  ///< that of the task's battery, whatever the one in use holds

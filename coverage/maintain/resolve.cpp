@@ -144,7 +144,7 @@ void PlanKeeper::adopt(RestPlan rest, const std::string& reason) {
     Transfer& after = plan_.legs.back().transfer;
     if (!vehicle_->on_ground()) {
       after = Transfer::kFF;
-    } else if (after == Transfer::kEnd || !at_meeting(vehicle_->position_m)) {
+    } else if (after == Transfer::kEnd || !at_meeting(*vehicle_)) {
       after = Transfer::kFDUF;
     }
   }

@@ -66,7 +66,7 @@ bool PlanKeeper::review_capacity(double capacity) {
   bool solved = false;
   if (!vehicle_->on_ground()) {
     solved = vehicle_->mode != AircraftMode::kLanding && solve_in_flight(reason, Otherwise::kGoOn);
-  } else if (vehicle_->mode == AircraftMode::kDocked || at_meeting(vehicle_->position_m)) {
+  } else if (vehicle_->mode == AircraftMode::kDocked || at_meeting(*vehicle_)) {
     solved = solve_docked(reason);
   }
   if (!solved) note_revision(reason);
@@ -163,7 +163,7 @@ bool PlanKeeper::review_ground() {
     if (!may_retry()) return false;
     return solve_on_ground("the battery is not full at the start") || tell_no_plan();
   }
-  if (vehicle_->mode == AircraftMode::kDocked || at_meeting(vehicle_->position_m)) return top_up_charge();
+  if (vehicle_->mode == AircraftMode::kDocked || at_meeting(*vehicle_)) return top_up_charge();
   if (vehicle_->time_s < landed_since_s_ + kSettled_s) return false;
   if (plan_.legs_done >= plan_.legs.size() && gaps_.empty()) return false;
   if (!may_retry()) return false;

@@ -101,6 +101,30 @@ TEST(Landing, AtOnceIsWhereItIsIfTheEnergyDoesForNothingElse) {
   EXPECT_EQ(plan.legs[plan.legs_done].transfer, Transfer::kEnd);
 }
 
+/// What is said of a robot off all ways known, on its way to the next meeting, has no end.
+TEST(Landing, NoTimesAreMovedByARobotWithoutAWay) {
+  Task task = field_task();
+  task.charger.travel = std::make_shared<OpenInTheWest>();
+  PlanKeeper keeper = keeper_of(task);
+  keeper.on_vehicle({.position_m = task.start_m});
+  const LivePlan before = keeper.plan();
+  ASSERT_FALSE(before.rendezvous.empty());
+  EXPECT_FALSE(keeper.on_robot({.time_s = 500.0, .position_m = Vec3(kOpenTo_m + 1.0, 0.0, 0.0)}));
+  EXPECT_EQ(keeper.plan().end_s, before.end_s);
+}
+
+/// A robot that waits at the meeting's place does not see who came down where it was to carry the aircraft.
+TEST(Landing, WhereItWouldBeCarriedToIsNoMeeting) {
+  Task task = field_task();
+  LivePlan plan = keeper_of(task).plan();
+  Rendezvous& meeting = plan.rendezvous.front();
+  meeting.carry = true;
+  meeting.carry_to_m = meeting.site_m + Vec3(15.0, 0.0, 0.0);
+  PlanKeeper keeper(task, planner::Terrain::flat(0.0), {}, plan);
+  const AircraftView landed = land_beside_first_meeting(keeper, 15.0);
+  EXPECT_LE((keeper.plan().rendezvous.front().site_m - landed.position_m).norm(), charger::kDocking_m);
+}
+
 /// Wherever it is: a plan without end could not be told to anybody.
 TEST(Landing, AtOnceTakesNoEndlessTimeWhereNoWayIsKnown) {
   Task task = field_task();
