@@ -8,7 +8,7 @@
 namespace swallowtail::coverage {
 
 /// How long it takes the ground robot from one place to another, and on which way. Level coordinates; ways
-/// are as long one way as the other. Safe for several threads at once.
+/// between places where it may stop are as long one way as the other. Safe for several threads at once.
 class GroundTravel {
  public:
   virtual ~GroundTravel() = default;

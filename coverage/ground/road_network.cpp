@@ -12,6 +12,8 @@
 namespace swallowtail::coverage {
 namespace {
 
+/// Half way straight from place to place it is so much farther off the road, in off_road_max_m.
+constexpr double kStraightShare = 1.5;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kMost_m = 1e6;
 
@@ -108,10 +110,12 @@ const RoadNetwork::Access& RoadNetwork::access(const Vec2& place) const {
     const double away = (place - point).norm();
     if (away >= least) continue;
     least = away;
-    out = {static_cast<int>(i), share * roads_[i].length_m, 0.0, point};
+    out = {static_cast<int>(i), false, share * roads_[i].length_m, 0.0, point};
   }
   const bool leaves = least > kOnRoad_m;
-  if (leaves && (params_.off_road_speed_mps <= 0.0 || least > params_.off_road_max_m)) out.road = -1;
+  if (leaves && (params_.off_road_speed_mps <= 0.0 || least > kStraightShare * params_.off_road_max_m))
+    out.road = -1;
+  out.is_within = !leaves || least <= params_.off_road_max_m;
   out.away_s = least / (params_.off_road_speed_mps > 0.0 ? params_.off_road_speed_mps : params_.speed_mps);
   return out;
 }
@@ -169,7 +173,7 @@ double RoadNetwork::drive_s(const Vec2& from, const Vec2& to) const {
   const std::lock_guard lock(mutex_);
   const Access& begin = access(from);
   const Access& end = access(to);
-  if (begin.road < 0 || end.road < 0) return kInfinity;
+  if (begin.road < 0 || end.road < 0 || !end.is_within) return kInfinity;
   const double by_road = begin.away_s + on_road(begin, end).length_m / params_.speed_mps + end.away_s;
   return std::min(by_road, straight_s(from, to));
 }
@@ -178,7 +182,7 @@ std::vector<Vec2> RoadNetwork::bends(const Vec2& from, const Vec2& to) const {
   const std::lock_guard lock(mutex_);
   const Access& begin = access(from);
   const Access& end = access(to);
-  if (begin.road < 0 || end.road < 0) return {};
+  if (begin.road < 0 || end.road < 0 || !end.is_within) return {};
   const OnRoad way = on_road(begin, end);
   const double by_road = begin.away_s + way.length_m / params_.speed_mps + end.away_s;
   if (!std::isfinite(by_road) || straight_s(from, to) <= by_road) return {};

@@ -26,7 +26,8 @@ Status validate(const RoadParams& params);
 
 /// Along roads: from a place straight to the nearest point of any road, by shortest ways [DIJKSTRA] to the
 /// one nearest to the other place, and straight to it. With an off-road speed a robot may also drive straight
-/// from place to place over at most off_road_max_m, when that is quicker.
+/// from place to place over at most off_road_max_m, when that is quicker; wherever it is on such a way, it
+/// has ways from there.
 class RoadNetwork : public GroundTravel {
  public:
   static Result<std::shared_ptr<const RoadNetwork>> make(const RoadParams& params);
@@ -42,7 +43,8 @@ class RoadNetwork : public GroundTravel {
   };
   /// Where a place meets the road.
   struct Access {
-    int road = -1;  ///< none within reach
+    int road = -1;           ///< none within reach, from the middle of a straight way either
+    bool is_within = false;  ///< off_road_max_m of it
     double along_m = 0.0;
     double away_s = 0.0;
     Vec2 point_m = Vec2::Zero();

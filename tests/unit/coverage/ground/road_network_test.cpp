@@ -51,6 +51,23 @@ TEST(RoadNetwork, LeavesTheRoadAtItsNearestPoint) {
   EXPECT_THAT(roads->bends({50, 20}, {50, 24}), IsEmpty());
 }
 
+/// From one place beside the road to another it may be farther off on its way than it may stop.
+TEST(RoadNetwork, KnowsWaysFromHalfWayAcross) {
+  RoadParams params;
+  params.lines = {{{0, 0}, {200, 0}}, {{0, 100}, {200, 100}}};
+  params.lines.push_back({{0, 0}, {0, 100}});
+  params.off_road_speed_mps = 1.0;
+  params.speed_mps = 2.0;
+  params.off_road_max_m = 40.0;
+  const auto roads = *RoadNetwork::make(params);
+  const Vec2 south(100, 35);
+  const Vec2 north(100, 65);
+  EXPECT_DOUBLE_EQ(roads->drive_s(south, north), 30.0);
+  EXPECT_DOUBLE_EQ(roads->drive_s({100, 50}, north), 15.0);
+  EXPECT_TRUE(std::isfinite(roads->drive_s({100, 50}, {200, 0})));
+  EXPECT_TRUE(std::isinf(roads->drive_s(south, {100, 50}))) << "no place to stop at";
+}
+
 TEST(RoadNetwork, PartsThatDoNotMeetDoNotReachEachOther) {
   RoadParams params = square();
   params.lines.push_back({{300, 0}, {400, 0}});
