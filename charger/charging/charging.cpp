@@ -193,7 +193,8 @@ bool Charging::is_behind(const Meeting& meeting, const Inputs& inputs) const {
 bool Charging::waits_for_us(const Meeting& meeting, const Inputs& inputs) const {
   if (!is_on_ground(inputs) || !is_near(meeting.site_m, inputs.vehicle->position_m)) return false;
   // Before its next leg, at whose entry they are to meet, it waits whether it has flown or not.
-  return vehicle_has_flown_ || meeting.id == 2 * inputs.vehicle->legs_done;
+  return vehicle_has_flown_ || meeting.id == 2 * inputs.vehicle->legs_done ||
+         state_.time_s > meeting.arrive_by_s + kOverdue_s;
 }
 
 /// On the ground somewhere else: it flew there unseen.

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -36,6 +37,8 @@ struct Meeting {
   bool is_depot = false;
   Way home{};         ///< to the depot, from where it is when the meeting is over
   double uses = 0.0;  ///< of its own battery, from its arrival until the meeting is over, as planned
+  /// When the vehicle was to be there; infinite: not said.
+  double arrive_by_s = std::numeric_limits<double>::infinity();
 };
 
 struct Orders {
@@ -103,6 +106,8 @@ enum class Activity : std::uint8_t {
 inline constexpr double kLongestStep_s = 5.0;
 /// How near to the robot a landed vehicle must stand to be taken on board.
 inline constexpr double kDocking_m = 1.0;
+/// One that stands where it was to be by so long ago has flown there unseen.
+inline constexpr double kOverdue_s = 60.0;
 /// Charging ends this little below what was asked for, so that it never goes above.
 inline constexpr double kChargeTolerance = 0.05;
 

@@ -59,6 +59,7 @@ Orders to_orders(const data::ChargerPlan& plan) {
     meeting.id = rendezvous.rendezvous_id;
     meeting.site_m = to_vec(rendezvous.site);
     meeting.charge_to = rendezvous.charge_to;
+    meeting.arrive_by_s = rendezvous.arrive_by_s;
     if (rendezvous.carry) meeting.carry_to_m = to_vec(rendezvous.carry_to);
     meeting.way_m = way_of(plan, rendezvous.first_bend, rendezvous.bend_count);
     meeting.way_speed_mps = rendezvous.speed_mps;

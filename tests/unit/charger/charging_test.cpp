@@ -47,6 +47,18 @@ TEST(Charging, DoesNotTakeAVehicleThatHasNotFlownYet) {
   EXPECT_EQ(meet.charging.state().activity, Activity::kWaiting);
 }
 
+/// The robot may have been silent while it flew.
+TEST(Charging, TakesAVehicleThatStandsWhereItWasToLandLongAgo) {
+  Orders orders = two_meetings();
+  orders.meetings[0].site_m = orders.start_m;
+  orders.meetings[0].arrive_by_s = 30.0;
+  Meet meet(orders);
+  meet.run(80.0);
+  EXPECT_EQ(meet.charging.state().activity, Activity::kWaiting);
+  meet.run(20.0);
+  EXPECT_TRUE(meet.charging.state().has_vehicle);
+}
+
 TEST(Charging, DoesNotTakeAVehicleThatStandsTooFarAway) {
   Meet meet(two_meetings());
   meet.partner.fly_off();
