@@ -24,7 +24,9 @@ constexpr double kMostTolerance_m = 1.0;
 /// Beyond the border, out of what is not crossed.
 constexpr double kOut_m = 0.02;
 
+/// So little within what is not crossed counts where no way is found else.
 constexpr double kHair_m = 1e-9;
+
 /// Of a hole, at the most, that its fields leave over when they fill it.
 constexpr double kFilled = 0.01;
 

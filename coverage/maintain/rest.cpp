@@ -86,25 +86,24 @@ std::optional<RestPlan> plan_rest(const Rest& rest, const ScheduleStart& start, 
   }
   LinkCache links(model, params.stops.charger);
   StopPlanner stops(links, params.stops);
+  ImproveParams improve;
+  improve.stops = params.stops;
+  improve.stop = params.stop;
+  improve.stop.max_evaluations = std::min(improve.stop.max_evaluations, params.schedules);
+  improve.first_free = rest.fixed;
   std::optional<StopPlan> schedule;
   for (const std::size_t begin : begins(rest, start.kind)) {
     std::vector<Visit> turned = visits;
     const auto free = turned.begin() + static_cast<std::ptrdiff_t>(std::min(rest.fixed, turned.size()));
     std::rotate(free, free + static_cast<std::ptrdiff_t>(begin), turned.end());
-    if (params.schedules > 0) {
-      ImproveParams improve;
-      improve.stops = params.stops;
-      improve.stop = params.stop;
-      improve.stop.max_evaluations = std::min(improve.stop.max_evaluations, params.schedules);
-      improve.first_free = rest.fixed;
-      turned = improve_order(cells, std::move(turned), start, links, improve).visits;
-    }
+    if (params.schedules > 0) turned = improve_order(cells, std::move(turned), start, links, improve).visits;
     std::vector<RouteLeg> route;
     for (const Visit& visit : turned) route.push_back(route_leg(cells[visit.sub_cell], visit));
     schedule = stops.plan(route, start);
-    if (!schedule) continue;
-    visits = std::move(turned);
-    break;
+    if (schedule) {
+      visits = std::move(turned);
+      break;
+    }
   }
   if (!schedule) return std::nullopt;
   Expansion expansion = expand(cells, visits, start, *schedule, links, first_index);

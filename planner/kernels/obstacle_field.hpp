@@ -23,12 +23,11 @@ struct Approach {
 
 /// A World as the optimisers' inner loop wants it: plain arrays, closed-form signed distances, no FCL and no
 /// memory taken by a query. Distances to spheres, cylinders, cones and boxes are right to 1e-9 of (flight
-/// length
-/// + bounding radius); a mesh stands as an intersection of half-spaces that holds it (of kDirections
+/// length + bounding radius); a mesh stands as an intersection of half-spaces that holds it (of kDirections
 /// fixed directions; of its own faces and bevels where it is an upright prism), so its distance is never too
-/// great. What it calls clear still goes to the
-/// certifier. Obstacles have an order of their own: those that stand for ever first, each
-/// kind in the order of a tree of bounding balls (in the world's order while they are few).
+/// great. What it calls clear still goes to the certifier. Obstacles have an order of their own: those that
+/// stand for ever first, each kind in the order of a tree of bounding balls (in the world's order while they
+/// are few).
 class ObstacleField {
  public:
   static constexpr std::size_t kDirections = detail::kMeshDirections;

@@ -40,7 +40,7 @@ std::optional<std::vector<RoutePoint>> down_near(const ReplanRequest& request,
       const Vec3 aside = ring * limits.clearance_m() * Vec3(std::cos(angle), std::sin(angle), 0.0);
       const Vec3 above = end.position_m + aside;
       const bool is_open = !is_in_or_near(no_drive, above.head<2>());
-      if (is_best_open ? !is_open : has_nearer && !is_open) continue;
+      if (!is_open && (is_best_open || has_nearer)) continue;
       std::vector<RoutePoint> down = route;
       down.push_back({above, Phase::kTransfer, end.leg_index, 0.0});
       down.push_back({ground_below(above, query.world().terrain()), Phase::kLanding, end.leg_index, 0.0});

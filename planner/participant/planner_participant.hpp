@@ -44,9 +44,9 @@ Status validate(const PlannerOptions& options);
 /// charged, the charger READY beside it) it plans the next sortie along the legs ahead, or the way to the
 /// goal.
 /// - In flight it certifies the rest of the path anew whenever the world changes, and replans from where the
-/// vehicle will be in `lead_s` if that fails or the legs ahead have changed; a contingency is
-///   replaced as soon as something better is certified. What turns takes up the margin that was kept from it
-/// for that: where nothing is certified with that margin any more, a path without it is a contingency.
+/// vehicle will be in `lead_s` if that fails or the legs ahead have changed; a contingency is replaced as
+/// soon as something better is certified. What turns takes up the margin that was kept from it for that:
+/// where nothing is certified with that margin any more, a path without it is a contingency.
 /// - What is published has been certified as a whole; where nothing can be, nothing is published and the
 /// status says so. `step` does the work on the caller's thread; `beat` keeps liveliness and status going and
 /// may be called from another thread meanwhile.
